@@ -1,4 +1,4 @@
-"""Where records stand now that files of 0.1 before modules became topics name by their former modules."""
+"""Where records stand now that files of 0.1 name by their former modules, or by their former names."""
 
 from functools import cache
 
@@ -11,9 +11,13 @@ def present_name(name: str) -> str:
 
     >>> present_name("spec.design.duty.cases:LoadCase")
     'spec.design.duty:LoadCase'
+    >>> present_name("sizing.shafts.stretches:Stretch")
+    'sizing.shafts.stretches:ShaftStretch'
     """
-    module, _, kind = name.partition(":")
-    return f"{_moved().get(module, module)}:{kind}"
+    module, _, path = name.partition(":")
+    module = _moved().get(module, module)
+    kind, dot, inner = path.partition(".")
+    return f"{module}:{_renamed().get(f'{module}:{kind}', kind)}{dot}{inner}"
 
 
 @cache
@@ -22,6 +26,60 @@ def _moved() -> dict[str, str]:
     return dict(row.split() for row in _MODULES.splitlines() if row)
 
 
+@cache
+def _renamed() -> dict[str, str]:
+    """Return module of today and former name of a record -> its name of today."""
+    return dict(row.split() for row in _RECORDS.splitlines() if row)
+
+
+_RECORDS = """
+closure.loop:Change StageChange
+closure.moves:Tried BearingSet
+dynamics.assembly.bodies:Rotor TurningBody
+dynamics.vibration.critical_speeds:Order OrderLine
+mission.strategies:Stage ShareCost
+mission.windows.background:Stage GearboxEquilibrium
+mission.windows.window:Trim PropellerTrim
+parts.agma2003_geometry:BendingGeometry BevelBendingGeometry
+parts.iso6336.tooth_strength:LoadFactors ToothLoadFactors
+parts.losses:MeshDuty LossDuty
+render.drawings.entities:Tolerance GeometricTolerance
+render.drawings.paper:Cell TitleField
+render.drawings.paper:Grid SheetTable
+render.drawings.shaft_view:Axis SheetAxis
+render.drawings.shaft_view:Mark Callout
+render.drawings.shaft_view:Slot Keyway
+render.figures.flights:Stretch PhaseSpan
+render.pages.page:Figure PageFigure
+render.schematic:Pen PowerPen
+render.vector.figure:Words TextMark
+render.vector.layout:Path DrawnPath
+render.vector.layout:Span TextRun
+replays.colibri.pages:PrintedNumber ComparedNumber
+replays.colibri.replay:Replay ColibriReplay
+sizing.bearing_arrangement:Option BearingPair
+sizing.bearing_seats:Borne BodyLoads
+sizing.bearings:Fitted SeatedBearing
+sizing.bearings:Tried SizeTrial
+sizing.loads:Part LoadComponent
+sizing.making:Bent SeatDeflection
+sizing.making:Beside Obstacle
+sizing.planets:Carried CarrierBasis
+sizing.planets:Proportions RollerProportions
+sizing.rating.agma:Rated YieldingMesh
+sizing.rating.iso6336:Rated StaticMesh
+sizing.rough_mass:Around MassBasis
+sizing.shafts.building:Task ShaftTask
+sizing.shafts.sections:Borne LoadedSection
+sizing.shafts.sections:Seat JointSeat
+sizing.shafts.stretches:Bent BentShaft
+sizing.shafts.stretches:Item SeatedPart
+sizing.shafts.stretches:Stretch ShaftStretch
+sizing.teeth.candidates:Part LoadStep
+sizing.teeth.candidates:Task StageTask
+spec.design.design:Key ComputedKey
+spec.record:Allowed FieldRange
+"""
 _MODULES = """
 air.atmosphere air
 air.polar air

@@ -3,6 +3,7 @@
 import ast
 import re
 import subprocess
+from collections import defaultdict
 from pathlib import Path
 
 import pytest
@@ -83,6 +84,15 @@ def test_concrete_classes_do_not_inherit_from_each_other():
                 plain = [base.value if isinstance(base, ast.Subscript) else base for base in node.bases]
                 bases = {getattr(base, "id", getattr(base, "attr", "")) for base in plain}
                 assert bases <= allowed, f"{path}: {node.name}"
+
+
+def test_no_name_of_a_class_stands_twice_within_a_layer():
+    places = defaultdict(list)
+    for module, path in MODULES.items():
+        for node in ast.walk(tree(path)):
+            if isinstance(node, ast.ClassDef):
+                places[Path(module).parts[0], node.name].append(module)
+    assert {name: modules for name, modules in places.items() if len(modules) > 1} == {}
 
 
 def tracked():

@@ -57,11 +57,11 @@ def test_one_speed_beyond_sound_is_refused():
 def test_losses_of_teeth_under_many_loads_are_those_under_each(law):
     contact = losses.tooth_contact((20, 41), 0.003, pressure_angle=0.35)
     oils = [losses.OilState(viscosity, 950.0, 4e-7) for viscosity in (4e-3, 5e-3, 6e-3, 7e-3)]
-    duty = losses.MeshDuty(LOADS, 0.03, SPEEDS)
+    duty = losses.LossDuty(LOADS, 0.03, SPEEDS)
     state = oils[0]._replace(viscosity=np.array([oil.viscosity for oil in oils]))
     along = losses.mesh_loss_part(contact, duty, state, law=law)
     for k, oil in enumerate(oils):
-        alone = losses.MeshDuty(float(LOADS[k]), 0.03, float(SPEEDS[k]))
+        alone = losses.LossDuty(float(LOADS[k]), 0.03, float(SPEEDS[k]))
         same(along[k], losses.mesh_loss_part(contact, alone, oil, law=law))
 
 

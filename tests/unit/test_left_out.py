@@ -65,7 +65,7 @@ ONES = [
     (tooth_strength.RootStrengthFactors, "life notch_sensitivity surface size mean_stress"),
     (loads.MeshDuty, "application_factor mesh_load_factor"),
     (loads.MeshQuality, "profile_factor"),
-    (tooth_strength.LoadFactors,
+    (tooth_strength.ToothLoadFactors,
      "application mesh_load dynamic face_contact transverse_contact face_bending transverse_bending"),
     (tooth_strength.ContactStrengthFactors, "life lubricant speed roughness work_hardening size"),
     (tooth_strength.single_contact_factors, "profile_factor"),
@@ -113,7 +113,7 @@ ZEROS = [
     (mounted.JointSizing, "interference module"),
     (protocol.Unloaded, "module_bending module_contact bending_stress contact_stress"),
     (protocol.Ask, "internal speed"), (standard_teeth.cylindrical_mesh, "internal"),
-    (stretches.Stretch, "diameter shoulder fillet"),
+    (stretches.ShaftStretch, "diameter shoulder fillet"),
 ]  # fmt: skip
 """Angles, shifts, errors, dampings, bores and loads: left out, there is none."""
 

@@ -11,10 +11,10 @@ import pytest
 from gearwright.catalogue import gear_steel
 from gearwright.parts.gears import ISO53_D, CylindricalGear, GearPair
 from gearwright.parts.iso6336 import (
-    LoadFactors,
     MeshDuty,
     MeshQuality,
     Misalignment,
+    ToothLoadFactors,
     face_load_factor,
     mesh_geometry,
     pitting_rating,
@@ -33,7 +33,7 @@ STEEL = gear_steel("case-hardened", "MQ", 700.0)
 DUTY = MeshDuty(9000.0, 360.0 * RPM, 50_000 * 3600.0)
 QUALITY = MeshQuality(grade=5, flank_roughness=6e-6, tip_relief=70e-6, viscosity=320e-6)
 RATED = rate_pair(PAIR, (STEEL, STEEL), DUTY, quality=QUALITY)
-PRINTED = LoadFactors(dynamic=1.003, face_contact=1.16)
+PRINTED = ToothLoadFactors(dynamic=1.003, face_contact=1.16)
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,7 @@ import pytest
 from designs import PAIR
 from gearwright.sizing import size
 from gearwright.sizing.rating import rating_of
-from gearwright.sizing.teeth.candidates import Task
+from gearwright.sizing.teeth.candidates import StageTask
 from gearwright.sizing.teeth.search import _candidates, _near
 from gearwright.spec import edited, parse
 from gearwright.train.kinematics import edge_of
@@ -19,7 +19,7 @@ RULES = "[teeth]\npinion_minimum = 19\npinion_maximum = 30\nstage_tolerance = 0.
 def task_of(design):
     """Return the pair as the search sees it."""
     stage = design.pairs["stage"]
-    return Task("stage", stage, edge_of("stage", design), "stage", rating_of(design, "stage"), 100.0, 1.0, 1.0)
+    return StageTask("stage", stage, edge_of("stage", design), "stage", rating_of(design, "stage"), 100.0, 1.0, 1.0)
 
 
 def masses(design):
@@ -56,7 +56,7 @@ def test_the_only_combination_has_no_next():
 @pytest.mark.parametrize("asked", [(2.9, 3.1), (3.0, 3.0), (1.5, 1.6)])
 def test_a_bound_knows_every_pair_of_teeth_near_a_range(asked):
     design = parse(PAIR + RULES)
-    task = Task(
+    task = StageTask(
         "stage", design.pairs["stage"], edge_of("stage", design), "stage", rating_of(design, "stage"), 100.0, 1.0, 1.0
     )
     low, high = _near(task, design, asked)
@@ -72,7 +72,7 @@ def test_a_bound_knows_every_pair_of_teeth_near_a_range(asked):
 
 def test_given_teeth_are_near_whatever_is_asked():
     design = parse(PAIR + "pinion_teeth = 21\nwheel_teeth = 61\n")
-    task = Task(
+    task = StageTask(
         "stage", design.pairs["stage"], edge_of("stage", design), "stage", rating_of(design, "stage"), 100.0, 1.0, 1.0
     )
     assert _near(task, design, (2.9, 3.1)) == (0.0, math.inf)

@@ -15,7 +15,7 @@ from gearwright.errors import DesignError
 
 if TYPE_CHECKING:
     from gearwright.dynamics import Samples, System, Trace
-    from gearwright.dynamics.vibration import Order, SpeedCase
+    from gearwright.dynamics.vibration import OrderLine, SpeedCase
     from gearwright.mission import Flight
     from gearwright.sizing import Sizing
 
@@ -144,7 +144,7 @@ def _orders(sizing: Sizing, speeds: SpeedCase) -> Iterator[dict[str, Any]]:
         yield {"name": name, "kind": kind, "frequency": order.frequency}
 
 
-def _named(sizing: Sizing, order: Order) -> tuple[str, str]:
+def _named(sizing: Sizing, order: OrderLine) -> tuple[str, str]:
     """Return what an order is called, and whether teeth, shafts or machines make it."""
     from gearwright.dynamics.vibration import order_name
 

@@ -371,10 +371,10 @@ def close(
         DesignError: If the design cannot be sized, or the start has other stages.
     """
     with under_way(course or Course()) as running:
-        return _close(_Asked(design, wishes or Wishes(), on_mission, source, tell or _silent), start, running)
+        return _close(_Request(design, wishes or Wishes(), on_mission, source, tell or _silent), start, running)
 
 
-class _Asked(NamedTuple):
+class _Request(NamedTuple):
     """What a closure is asked for."""
 
     design: Design
@@ -384,7 +384,7 @@ class _Asked(NamedTuple):
     say: Callable[[str], None]
 
 
-def _close(asked: _Asked, start: Design | None, course: Course) -> Closed:
+def _close(asked: _Request, start: Design | None, course: Course) -> Closed:
     own, say = start_of(asked.design, asked.wishes), asked.say
     states = [_searched(Task(own, asked.wishes), say)]
     if start is not None:
@@ -521,7 +521,7 @@ def best_so_far(state: Settled, source: Source | None, before: Design) -> Writte
     return Written(_text_of(found.design, source, before), found.design, found.sizing)
 
 
-def _simulated(state: Settled, asked: _Asked) -> tuple[Settled, Written, list[Check]]:
+def _simulated(state: Settled, asked: _Request) -> tuple[Settled, Written, list[Check]]:
     """Return a design whose peaks in a run stay within its rating, as it is written, and the checks of them."""
     written = written_as(state, asked.source, asked.design)
     if CONFIRMS in state.task.wishes.left_out:
@@ -554,7 +554,7 @@ def _asked_by(state: Settled, failing: Iterable[Check]) -> dict[str, float]:
     return {stage: factor for stage, factor in factors.items() if factor > state.factors.dynamic.get(stage, 1.0)}
 
 
-def _closed(asked: _Asked, state: Settled, written: Written, moved: list[Check]) -> Closed:
+def _closed(asked: _Request, state: Settled, written: Written, moved: list[Check]) -> Closed:
     wishes, sizing = asked.wishes, written.sizing
     checks = [*sizing.checks, *built_checks(sizing), *sharing_checks(sizing), *moved, *resonance_checks(sizing)]
     checks = [*wanted(checks, wishes.left_out), state.converged]
@@ -575,7 +575,7 @@ def _closed(asked: _Asked, state: Settled, written: Written, moved: list[Check])
     )
 
 
-def _not_searched(asked: _Asked) -> Iterator[str]:
+def _not_searched(asked: _Request) -> Iterator[str]:
     """Yield the freedoms that the wishes leave closed."""
     yield from (f"{words} (--free {name})" for name, words in FREEDOMS.items() if name not in asked.wishes.free)
     if not asked.wishes.lighten:

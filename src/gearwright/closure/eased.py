@@ -45,7 +45,7 @@ _DIGITS = 9
 class Way(NamedTuple):
     """One thing, or several together, of which less or something else may be asked."""
 
-    asked: Callable[[float], _Asked]
+    asked: Callable[[float], _Demand]
     """What a part of it is."""
     parts: tuple[float, ...]
     """That are tried, the nearest to all of it first [-]."""
@@ -106,18 +106,18 @@ def _ways(closed: Closed) -> Iterator[Way]:
     if any(row.requirement == "critical speeds" for row in closed.unmet):
         beside = tuple(1.0 + sign * step / 100.0 for step in range(1, FURTHEST + 1) for sign in (1, -1))
         if speeds:
-            yield Way(lambda part: _Asked(speeds=speeds, speed=part), beside, shakes=True)
-            yield Way(lambda part: _Asked(lives, LESS, powers, min(part, 1.0), speeds, part), beside, shakes=True)
+            yield Way(lambda part: _Demand(speeds=speeds, speed=part), beside, shakes=True)
+            yield Way(lambda part: _Demand(lives, LESS, powers, min(part, 1.0), speeds, part), beside, shakes=True)
         return
     asked = [GEARS] * bool(modes & set(FATIGUE)) + [BEARINGS] * bool(modes & set(LIVES))
     if asked:
-        yield Way(lambda part: _Asked({path: lives[path] for path in asked}, part), SHORTER)
+        yield Way(lambda part: _Demand({path: lives[path] for path in asked}, part), SHORTER)
     if powers:
-        yield Way(lambda part: _Asked(powers=powers, power=part), WEAKER)
-        yield Way(lambda part: _Asked(lives, part, powers, part), WEAKER)
+        yield Way(lambda part: _Demand(powers=powers, power=part), WEAKER)
+        yield Way(lambda part: _Demand(lives, part, powers, part), WEAKER)
 
 
-class _Asked(NamedTuple):
+class _Demand(NamedTuple):
     """What is asked of a variant."""
 
     lives: Mapping[str, float] = MappingProxyType({})

@@ -311,7 +311,7 @@ MOVED = ("critical speeds", "room", "teeth")
 """Requirements that other teeth and modules move."""
 
 
-class Change(NamedTuple):
+class StageChange(NamedTuple):
     """A change of one stage, or of several that share a gear."""
 
     tables: tuple[str, ...]
@@ -372,7 +372,7 @@ def _sum(checks: Iterable[Check]) -> float:
 class Option:
     """A change of a settled design: proportioned once, judged, and confirmed, each only where somebody asks for it."""
 
-    def __init__(self, state: Settled, change: Change, name: str, firsts: dict[str, Sizing]) -> None:
+    def __init__(self, state: Settled, change: StageChange, name: str, firsts: dict[str, Sizing]) -> None:
         self.state, self.change, self.firsts = state, change, firsts
         self.name = f"{name} {sha256(repr(change).encode()).hexdigest()[:16]}"
 
@@ -503,7 +503,7 @@ class Confirmed:
         return Candidate(self.settled, self.short, self.near)
 
 
-def options(state: Settled, changes: Iterable[Change]) -> list[Option]:
+def options(state: Settled, changes: Iterable[StageChange]) -> list[Option]:
     """Return every change that can be sized, proportioned once; of those that come to the same the first.
 
     A module that is looked for comes to one of those that are tried beside it.
@@ -524,7 +524,7 @@ def options(state: Settled, changes: Iterable[Change]) -> list[Option]:
     return list(found.values())
 
 
-def _but_modules(change: Change) -> str:
+def _but_modules(change: StageChange) -> str:
     """Return what a change is beside the modules that it sets."""
     return repr({path: value for path, value in change.values.items() if ".module_" not in path})
 
@@ -542,7 +542,7 @@ def _without_room(state: Settled) -> tuple[float, float]:
     return _lacking(state, (check for check in checks if requirement_of(check) not in ("room", "making")))[0], 0.0
 
 
-def _screened(state: Settled, change: Change, firsts: dict[str, Sizing], *, still: bool = False) -> Settled:
+def _screened(state: Settled, change: StageChange, firsts: dict[str, Sizing], *, still: bool = False) -> Settled:
     """Return a change, proportioned once; the teeth of the other stages stay, and their sizes where they still do.
 
     What teeth follow from a change is found once, whatever module is tried with them.

@@ -13,10 +13,10 @@ from gearwright.base import Check, GearwrightError, Role, Status, smallest_first
 from gearwright.closure.loop import (
     MOVED,
     Candidate,
-    Change,
     Confirmed,
     Option,
     Settled,
+    StageChange,
     Task,
     changes_of,
     complete_of,
@@ -55,7 +55,7 @@ DRIVING = (Role.SUN, Role.PINION)
 """Gears whose teeth are varied; a pair has none of its own where its pinion is a gear of another stage."""
 
 
-def other_teeth(state: Settled, steps: Iterable[int] = TEETH) -> Iterator[Change]:
+def other_teeth(state: Settled, steps: Iterable[int] = TEETH) -> Iterator[StageChange]:
     """Yield other numbers of teeth of suns and pinions, stage by stage, where the design leaves them open or free.
 
     Args:
@@ -68,7 +68,7 @@ def other_teeth(state: Settled, steps: Iterable[int] = TEETH) -> Iterator[Change
         yield from together or (change for name in names for change in _of_teeth(state, (name,), steps))
 
 
-def _of_teeth(state: Settled, names: tuple[str, ...], steps: Iterable[int]) -> list[Change]:
+def _of_teeth(state: Settled, names: tuple[str, ...], steps: Iterable[int]) -> list[StageChange]:
     """Return other teeth of some stages together; none where one of them gives some that are not free."""
     design = state.task.design
     keys = {name: _tooth_keys(design.simple_stages[name]) for name in names}
@@ -85,7 +85,7 @@ def _of_teeth(state: Settled, names: tuple[str, ...], steps: Iterable[int]) -> l
     frees = tuple(f"{design.table(name)}.{key}" for name in names for key in keys[name])
     first = next(iter(driving.values())).teeth
     return [
-        Change(
+        StageChange(
             tuple(map(design.table, names)),
             {
                 **given,
@@ -302,7 +302,7 @@ SMALLER = 3
 """Steps of ISO 54 by which the module is made smaller, the planet with it, and the face wider, where none does [-]."""
 
 
-class Tried(NamedTuple):
+class BearingSet(NamedTuple):
     """A set with one kind of bearing."""
 
     changes: Mapping[str, Value]
@@ -369,7 +369,7 @@ def _lacks(check: Check, stage: str) -> bool:
     return check.part.name == stage and check.status is Status.FAILS and requirement_of(check) in OF_PLANETS
 
 
-def _tried(state: Settled, stage: str) -> Iterator[Tried]:
+def _tried(state: Settled, stage: str) -> Iterator[BearingSet]:
     """Yield every kind at the size as it is, and on smaller modules with wider faces until one kind serves."""
     for module, own in _sizes(state, stage):
         rows = [*_kinds(own, stage, module, state.task)]
@@ -395,7 +395,7 @@ def _sizes(state: Settled, stage: str) -> Iterator[tuple[float | None, Proportio
         yield value, own
 
 
-def _kinds(own: Proportioned, stage: str, module: float | None, task: Task) -> Iterator[Tried]:
+def _kinds(own: Proportioned, stage: str, module: float | None, task: Task) -> Iterator[BearingSet]:
     """Yield a set on every kind of bearing."""
     path = f"planetaries.{stage}"
     for rank, (kind, count) in enumerate(ROLLING + FILM):
@@ -410,7 +410,7 @@ def _kinds(own: Proportioned, stage: str, module: float | None, task: Task) -> I
             continue
         if module is not None:
             changes[f"{path}.module_mm"] = module
-        yield Tried(changes, short_of(sizing, stage, task.wishes.left_out), int(rank >= len(ROLLING)), sizing.mass)
+        yield BearingSet(changes, short_of(sizing, stage, task.wishes.left_out), int(rank >= len(ROLLING)), sizing.mass)
 
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -535,7 +535,7 @@ def _most_promising(rows: Iterable[Option]) -> list[Option]:
     return [row for row in best if row.short < math.inf]
 
 
-def _changes_away(state: Settled) -> Iterator[Change]:
+def _changes_away(state: Settled) -> Iterator[StageChange]:
     """Yield other numbers of teeth, other modules, and both at once, stage by stage, where they are open."""
     design, owners = state.task.design, module_owners(state.task.design)
     alone = (entry for entry in open_modules(state).items() if not is_tied(design, entry[0], owners))
@@ -547,14 +547,16 @@ def _changes_away(state: Settled) -> Iterator[Change]:
             yield from (_with_module(change, table, value) for value in values)
     for table, own in open_.items():
         if f"{table}.module_mm" not in state.task.chosen:
-            yield from (_with_module(Change((), {}), table, value) for value in standard_modules(own, MODULES_UPWARDS))
+            yield from (
+                _with_module(StageChange((), {}), table, value) for value in standard_modules(own, MODULES_UPWARDS)
+            )
 
 
-def _with_module(change: Change, table: str, value: float) -> Change:
+def _with_module(change: StageChange, table: str, value: float) -> StageChange:
     return change._replace(values={**change.values, f"{table}.module_mm": value})
 
 
-def _together(state: Settled) -> Iterator[Change]:
+def _together(state: Settled) -> Iterator[StageChange]:
     """Yield larger modules of the stages on common axes, all by one factor, where the design leaves them open."""
     design, owners = state.task.design, module_owners(state.task.design)
     tied = [name for name in searched(design) if is_tied(design, name, owners)]
@@ -562,7 +564,7 @@ def _together(state: Settled) -> Iterator[Change]:
     if tied and all(design.simple_stages[name].module is None for name in tied):
         own = {name: modules[name] for name in tied if owners[name] == name}
         for factor in LARGER:
-            yield Change((), {f"{design.table(name)}.module_mm": factor * own[name] / _MM for name in own})
+            yield StageChange((), {f"{design.table(name)}.module_mm": factor * own[name] / _MM for name in own})
 
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -597,7 +599,7 @@ def modules_beyond(design: Design, sizing: Sizing) -> Iterator[tuple[str, str, f
             yield f"{design.table(name)}.module_mm", name, own
 
 
-def _beyond(state: Settled, steps: Iterable[int] = BEYOND) -> Iterator[Change]:
+def _beyond(state: Settled, steps: Iterable[int] = BEYOND) -> Iterator[StageChange]:
     """Yield other modules of compound sets, bevel pairs and face gears: standard ones, or by factors."""
     steps = tuple(steps)
     for path, name, own in modules_beyond(state.task.design, state.sizing):
@@ -606,7 +608,7 @@ def _beyond(state: Settled, steps: Iterable[int] = BEYOND) -> Iterator[Change]:
             values = [value for value in standard_modules(own, steps) if abs(value * _MM / own - 1.0) > MODULE_ROUNDING]
         else:
             values = [factor * own / _MM for factor in (*FACTORS, *LARGER)]
-        yield from (Change((), {path: value}) for value in values)
+        yield from (StageChange((), {path: value}) for value in values)
 
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -684,7 +686,7 @@ def _lighter(best: Candidate) -> Iterator[Confirmed]:
             yield found
 
 
-def _changes_of_freedoms(state: Settled) -> Iterator[Change]:
+def _changes_of_freedoms(state: Settled) -> Iterator[StageChange]:
     """Yield every single change of what is free; teeth that the design leaves open always are."""
     yield from _modules(state)
     yield from _beyond(state, LIGHTER_MODULES)
@@ -692,7 +694,7 @@ def _changes_of_freedoms(state: Settled) -> Iterator[Change]:
         yield from CHANGES[name](state)
 
 
-def _modules(state: Settled) -> Iterator[Change]:
+def _modules(state: Settled) -> Iterator[StageChange]:
     """Yield other modules where they are open, wider or narrower faces with them: standard ones, or by factors."""
     design, owners = state.task.design, module_owners(state.task.design)
     open_ = {name: own for name, own in open_modules(state).items() if owners[name] == name}
@@ -706,7 +708,7 @@ def _modules(state: Settled) -> Iterator[Change]:
         yield _scaled(state, {name: factor * own for name, own in tied.items()})
 
 
-def _as_large(state: Settled, stage: str, change: Change, factor: float) -> Iterator[Change]:
+def _as_large(state: Settled, stage: str, change: StageChange, factor: float) -> Iterator[StageChange]:
     """Yield another module with other teeth, so that the gears stay about as large, where both are open."""
     gear = next(gear for gear in state.sizing.gears if gear.stage == stage)
     table = state.task.design.table(stage)
@@ -724,26 +726,26 @@ def _other_modules(state: Settled, stage: str, own: float) -> Iterator[float]:
     yield from (value * _MM for value in standard_modules(own, LIGHTER_MODULES))
 
 
-def _scaled(state: Settled, modules: Mapping[str, float]) -> Change:
+def _scaled(state: Settled, modules: Mapping[str, float]) -> StageChange:
     """Return the change to some modules [m]."""
-    return Change((), {f"{state.task.design.table(name)}.module_mm": own / _MM for name, own in modules.items()})
+    return StageChange((), {f"{state.task.design.table(name)}.module_mm": own / _MM for name, own in modules.items()})
 
 
-def _teeth(state: Settled) -> Iterator[Change]:
+def _teeth(state: Settled) -> Iterator[StageChange]:
     """Yield other teeth of pinions and suns."""
     yield from other_teeth(state, LIGHTER_TEETH)
 
 
-def _shifts(state: Settled) -> Iterator[Change]:
+def _shifts(state: Settled) -> Iterator[StageChange]:
     """Yield other profile shifts of pinions and suns."""
     for name in searched(state.task.design):
         gear = next((gear for gear in state.sizing.gears if gear.stage == name and gear.role in DRIVING), None)
         if gear is not None:
             path = f"{state.task.design.table(name)}.{gear.role}_shift"
-            yield from (Change((), {path: round(gear.profile_shift + step, 3)}) for step in SHIFTS)
+            yield from (StageChange((), {path: round(gear.profile_shift + step, 3)}) for step in SHIFTS)
 
 
-def _planets(state: Settled) -> Iterator[Change]:
+def _planets(state: Settled) -> Iterator[StageChange]:
     """Yield sets with a planet more or fewer, with suns near the one that is."""
     for name in searched(state.task.design):
         stage = state.sizing.design.planetaries.get(name)
@@ -756,7 +758,8 @@ def _planets(state: Settled) -> Iterator[Change]:
             if 2 <= count <= MOST_PLANETS:
                 given = _given(state.task.design, name)
                 yield from (
-                    Change((table,), {**given, f"{table}.planets": count, frees[0]: sun + step}, frees) for step in SUNS
+                    StageChange((table,), {**given, f"{table}.planets": count, frees[0]: sun + step}, frees)
+                    for step in SUNS
                 )
 
 
@@ -766,36 +769,38 @@ def _given(design: Design, name: str) -> Mapping[str, None]:
     return {f"{table}.{key}": None for key in TEETH_OF_SETS if getattr(stage, key) is not None}
 
 
-def _helix(state: Settled) -> Iterator[Change]:
+def _helix(state: Settled) -> Iterator[StageChange]:
     """Yield other helix angles of the pairs."""
     design = state.task.changed
     if any(pair.kind == "cylindrical" for pair in design.pairs.values()):
         angle = math.degrees(design.gears.helix_angle)
         others = (round(angle + step, 6) for step in ANGLES)
-        yield from (Change((), {"gears.helix_angle_deg": other}) for other in others if 0.0 <= other <= WIDEST_ANGLE)
+        yield from (
+            StageChange((), {"gears.helix_angle_deg": other}) for other in others if 0.0 <= other <= WIDEST_ANGLE
+        )
 
 
-def _steels(state: Settled) -> Iterator[Change]:
+def _steels(state: Settled) -> Iterator[StageChange]:
     """Yield the other steels of the catalogue, and the grades of the one that is, where no class is stated."""
     design = state.task.changed
     rules = design.gears.iso6336
-    yield from (Change((), {"gears.iso6336.grade": grade}) for grade in GRADES if grade != rules.grade)
+    yield from (StageChange((), {"gears.iso6336.grade": grade}) for grade in GRADES if grade != rules.grade)
     if rules.steel is None:
         names = [name for name, one in design.known_materials.items() if one.steel and name != design.gears.material]
-        yield from (Change((), {"gears.material": name}) for name in names)
+        yield from (StageChange((), {"gears.material": name}) for name in names)
 
 
-def _bodies(freedom: str) -> Callable[[Settled], Iterator[Change]]:
+def _bodies(freedom: str) -> Callable[[Settled], Iterator[StageChange]]:
     """Return what yields thinner and thicker rims or webs."""
 
-    def changes(state: Settled) -> Iterator[Change]:
+    def changes(state: Settled) -> Iterator[StageChange]:
         for own in thicknesses(state.task.changed, state.sizing, freedom):
-            yield from (Change((), own.at(value)) for value in own.others)
+            yield from (StageChange((), own.at(value)) for value in own.others)
 
     return changes
 
 
-CHANGES: Mapping[str, Callable[[Settled], Iterator[Change]]] = {
+CHANGES: Mapping[str, Callable[[Settled], Iterator[StageChange]]] = {
     "teeth": _teeth, "shifts": _shifts, "planets": _planets, "helix": _helix, "material": _steels,
     **{name: _bodies(name) for name in BODIES},
 }  # fmt: skip

@@ -242,7 +242,7 @@ _ROUNDING = 1e-9
 """Part of a step that is none [-]."""
 
 
-class _Before(NamedTuple):
+class _PhaseEnd(NamedTuple):
     """Where the phase before ended."""
 
     clock: float
@@ -258,7 +258,7 @@ class Stretch(NamedTuple):
 
     mission: Mission
     name: str
-    before: _Before
+    before: _PhaseEnd
     path: Path | None
     """Where an aircraft flies it."""
 
@@ -295,11 +295,11 @@ def stretches_of(mission: Mission, paths: Paths | None = None) -> list[Stretch]:
     """
     first = next(iter(mission.phases.values()))
     altitude = first.altitude if first.from_altitude is None else first.from_altitude
-    before, stretches = _Before(0.0, altitude, first.propeller_speed), list[Stretch]()
+    before, stretches = _PhaseEnd(0.0, altitude, first.propeller_speed), list[Stretch]()
     for name, phase in mission.phases.items():
         stretches.append(stretch := Stretch(mission, name, before, (paths or {}).get(name)))
         duration = stretch.duration
-        before = _Before(before.clock + duration, phase.altitude, ramped(phase, duration, before.speed))
+        before = _PhaseEnd(before.clock + duration, phase.altitude, ramped(phase, duration, before.speed))
     return stretches
 
 

@@ -303,7 +303,7 @@ SHORT = 1e6
 """Fuel for a state of charge that lacks 1 at the end [kg]: more than any engine saves by it."""
 
 
-class Stage(NamedTuple):
+class ShareCost(NamedTuple):
     """What shares cost in an interval."""
 
     fuel: Floats
@@ -323,7 +323,7 @@ class Plan(NamedTuple):
     """[kg]"""
 
 
-def optimal_plan(stages: Sequence[Stage], charges: Floats, *, start: float, end: float) -> Plan:
+def optimal_plan(stages: Sequence[ShareCost], charges: Floats, *, start: float, end: float) -> Plan:
     """Return the shares with the least fuel that leave a state of charge at the end.
 
     Args:
@@ -349,7 +349,7 @@ def optimal_plan(stages: Sequence[Stage], charges: Floats, *, start: float, end:
     return Plan(tuple(places), tuple(states), fuel)
 
 
-def _whole(stage: Stage, charges: Floats, later: Floats, at: Floats) -> Floats:
+def _whole(stage: ShareCost, charges: Floats, later: Floats, at: Floats) -> Floats:
     """Return the fuel of every share from some states of charge to the end, shape (at, shares) [kg]."""
     after = stage.after(at)
     inside = (after >= charges[0] - 1e-12) & (after <= charges[-1] + 1e-12)
@@ -425,7 +425,7 @@ def planned_shares(supply: Supply, mission: Mission, needs: Needs) -> Floats:
     return planned
 
 
-def _best(supply: Supply, mission: Mission, rules: StrategyRules, stages: list[Stage]) -> Plan:
+def _best(supply: Supply, mission: Mission, rules: StrategyRules, stages: list[ShareCost]) -> Plan:
     battery, start = supply.battery, mission.battery
     assert battery is not None and start is not None  # there is a plan only with one
     end = max(rules.end_charge if rules.end_charge is not None else battery.minimum, battery.minimum) + MARGIN
@@ -437,7 +437,7 @@ def _best(supply: Supply, mission: Mission, rules: StrategyRules, stages: list[S
     return plan
 
 
-def _stage(supply: Supply, needs: Needs, k: int, shares: Floats) -> Stage:
+def _stage(supply: Supply, needs: Needs, k: int, shares: Floats) -> ShareCost:
     battery, duration = supply.battery, float(needs.course.duration[k])
     assert battery is not None  # there is a plan only with one
     course, many = needs.course.at(np.full(len(shares), k)), np.ones(len(shares))
@@ -454,7 +454,7 @@ def _stage(supply: Supply, needs: Needs, k: int, shares: Floats) -> Stage:
         electric += np.where(power == 0.0, 0.0, power + motor_loss(motor, torque_of(power, speed), speed))
     if len(shares) > 1:
         fuel = np.where(beyond, FORBIDDEN, fuel)
-    return Stage(fuel, lambda charges: _after(battery, charges, electric, duration))
+    return ShareCost(fuel, lambda charges: _after(battery, charges, electric, duration))
 
 
 def _after(battery: Battery, charges: Floats, electric: Floats, duration: float) -> Floats:

@@ -20,7 +20,7 @@ from gearwright.parts.agma2001 import (
 )
 from gearwright.parts.agma2003_geometry import (
     SOURCE,
-    BendingGeometry,
+    BevelBendingGeometry,
     MeanSection,
     PittingGeometry,
     bending_geometry,
@@ -385,7 +385,7 @@ class BevelGeometry(NamedTuple):
 
     pitting: PittingGeometry
     """I and its parts."""
-    bending: tuple[BendingGeometry, BendingGeometry]
+    bending: tuple[BevelBendingGeometry, BevelBendingGeometry]
     """J and its parts of pinion and wheel."""
 
 
@@ -421,7 +421,7 @@ class AgmaBevelRating:
     """Load, speed, cycles and the factors on them."""
     pitting: PittingGeometry
     """I and its parts."""
-    tooth_root: tuple[BendingGeometry, BendingGeometry]
+    tooth_root: tuple[BevelBendingGeometry, BevelBendingGeometry]
     """J and its parts of both gears."""
     strength: tuple[BevelStrength, BevelStrength]
     """Of both gears."""

@@ -291,7 +291,7 @@ class Fillet(NamedTuple):
 
 
 @dataclass(frozen=True)
-class BendingGeometry:
+class BevelBendingGeometry:
     """The tooth as a beam, and the factor J that stands for it."""
 
     load_angle: Annotated[float, Quantity("angle"), Origin("α_h", f"{SOURCE}, eqs C.58 to C.63")]
@@ -328,7 +328,7 @@ class BendingGeometry:
     """Geometry factor J [-]."""
 
 
-def bending_geometry(section: MeanSection, gear: int) -> BendingGeometry:
+def bending_geometry(section: MeanSection, gear: int) -> BevelBendingGeometry:
     """Return the geometry factor J of one gear and what makes it.
 
     The pinion's concave flank drives, which is the usual hand; a spiral wheel is then loaded on its convex one.
@@ -355,7 +355,7 @@ def bending_geometry(section: MeanSection, gear: int) -> BendingGeometry:
     arm = (cone + load.along_face) / cone + rise / section.transverse_radii[gear]
     face = effective_face(section, load, fillet.height)
     factor = form / (notch * load.sharing * section.inertia) * arm * face * section.mean_scale
-    return BendingGeometry(
+    return BevelBendingGeometry(
         angle, fillet.height, fillet.half_chord, radius, form, notch, load.sharing, section.inertia, arm, face, factor
     )
 

@@ -19,10 +19,10 @@ from gearwright.parts.iso6336 import (
     GearSteel,
     LifeCurve,
     LoadedTooth,
-    LoadFactors,
     MeshGeometry,
     RootSection,
     Steels,
+    ToothLoadFactors,
     ToothProportions,
     Treatment,
     bending_size_factor,
@@ -384,7 +384,7 @@ def _by_region(ratio: float, error: float, overlap: float) -> float:
 
 def bevel_load_factors(
     virtual: VirtualPair, duty: BevelDuty, steels: tuple[GearSteel, GearSteel]
-) -> tuple[LoadFactors, BevelDynamics]:
+) -> tuple[ToothLoadFactors, BevelDynamics]:
     """Return the K factors of a bevel pair.
 
     Args:
@@ -406,7 +406,7 @@ def bevel_load_factors(
     else:
         share = 0.9 + 0.4 * math.sqrt(2.0 * (total - 1.0) / total) * error
     alpha = max(1.0, share)
-    factors = LoadFactors(
+    factors = ToothLoadFactors(
         duty.application_factor, 1.0, dynamic.factor, face, alpha, face / _lengthwise_curvature(pair, duty), alpha
     )
     return factors, dynamic
@@ -445,7 +445,7 @@ def bevel_pitting(
     steels: tuple[GearSteel, GearSteel],
     duty: BevelDuty,
     *,
-    loads: LoadFactors,
+    loads: ToothLoadFactors,
     lives: tuple[float, float],
     viscosity: float = 100e-6,
     roughness: float = 8e-6,
@@ -597,7 +597,7 @@ def bevel_bending(
     steel: GearSteel,
     *,
     duty: BevelDuty,
-    loads: LoadFactors,
+    loads: ToothLoadFactors,
     life: float,
     roughness: float = 16e-6,
 ) -> BevelBending:
@@ -668,7 +668,7 @@ class BevelRating:
     """Load cycles of pinion and wheel N_L [-]."""
     dynamic: BevelDynamics
     """K_V and its terms."""
-    loads: LoadFactors
+    loads: ToothLoadFactors
     """All K factors."""
     contact_life: Annotated[tuple[float, float], Quantity("ratio"), Origin("Z_NT", "ISO 6336-2:2019, clause 11")]
     """Z_NT of pinion and wheel [-]."""

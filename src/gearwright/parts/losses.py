@@ -257,7 +257,7 @@ class MeshLaw(Enum):
     """NASA TP-1622: sliding by Benedict and Kelley and rolling traction, along the path of contact."""
 
 
-class MeshDuty(NamedTuple):
+class LossDuty(NamedTuple):
     """What a mesh bears."""
 
     line_load: Values
@@ -281,7 +281,7 @@ class OilState(NamedTuple):
     """X_L of Schlenk, and of Niemann and Winter [-]: 1 for mineral oils."""
 
 
-def mesh_loss_part(contact: ToothContact, duty: MeshDuty, oil: OilState, *, law: MeshLaw = MeshLaw.SCHLENK) -> Values:
+def mesh_loss_part(contact: ToothContact, duty: LossDuty, oil: OilState, *, law: MeshLaw = MeshLaw.SCHLENK) -> Values:
     """Return the part of its power that a mesh loses [-].
 
     Args:
@@ -317,7 +317,7 @@ def load_intensity(contact: ToothContact, line_load: Values) -> Values:
     return 0.5 * abs(line_load) * functions(line_load).cos(contact.pressure_angle) * contact.closing
 
 
-def iso_tr_14179_1_part(contact: ToothContact, duty: MeshDuty, oil: OilState) -> Values:
+def iso_tr_14179_1_part(contact: ToothContact, duty: LossDuty, oil: OilState) -> Values:
     """Return the part of its power that a mesh loses by ISO/TR 14179-1 [-].
 
     Args:
@@ -340,7 +340,7 @@ def iso_tr_14179_1_part(contact: ToothContact, duty: MeshDuty, oil: OilState) ->
     return friction * of.cos(contact.helix) ** 2 / advantage
 
 
-def anderson_loewenthal_part(contact: ToothContact, duty: MeshDuty, oil: OilState) -> Values:
+def anderson_loewenthal_part(contact: ToothContact, duty: LossDuty, oil: OilState) -> Values:
     """Return the part of its power that a mesh loses by sliding and by rolling [-].
 
     Args:

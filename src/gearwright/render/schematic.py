@@ -470,7 +470,7 @@ HEAD = 3.0
 
 
 @dataclass(frozen=True)
-class Pen:
+class PowerPen:
     """How power is drawn."""
 
     axes: Axes
@@ -508,7 +508,7 @@ def band_scale(traced: Traced) -> float:
     return WIDEST / largest if largest else 0.0
 
 
-def draw_bands(pen: Pen, train: Train, flow: PowerFlow, *, layout: Layout, traced: Traced) -> None:
+def draw_bands(pen: PowerPen, train: Train, flow: PowerFlow, *, layout: Layout, traced: Traced) -> None:
     """Draw the power of every shaft, of every mesh between axes, and of machines around their shafts.
 
     Args:
@@ -535,7 +535,7 @@ def draw_bands(pen: Pen, train: Train, flow: PowerFlow, *, layout: Layout, trace
             _around(pen, (feed.x, y), feed)
 
 
-def half_width(stretch: Stretch, pen: Pen, layout: Layout, stretches: Sequence[Stretch]) -> float:
+def half_width(stretch: Stretch, pen: PowerPen, layout: Layout, stretches: Sequence[Stretch]) -> float:
     """Return how far a stretch's band reaches from its axis, the bands inside it included [mm].
 
     Args:
@@ -547,7 +547,7 @@ def half_width(stretch: Stretch, pen: Pen, layout: Layout, stretches: Sequence[S
     return _inside(stretch, pen, layout, stretches) + abs(stretch.power) * pen.scale / 2.0
 
 
-def _inside(stretch: Stretch, pen: Pen, layout: Layout, stretches: Sequence[Stretch]) -> float:
+def _inside(stretch: Stretch, pen: PowerPen, layout: Layout, stretches: Sequence[Stretch]) -> float:
     """Return half the width of the bands on the shafts inside a hollow one [mm]."""
     return sum(
         max(abs(inner.power) * pen.scale / 2.0 for inner in stretches if inner.shaft == shaft)
@@ -563,7 +563,7 @@ def _is_within(inner: Stretch, outer: Stretch, layout: Layout) -> bool:
     )
 
 
-def _along(pen: Pen, stretch: Stretch, layout: Layout, stretches: Sequence[Stretch]) -> None:
+def _along(pen: PowerPen, stretch: Stretch, layout: Layout, stretches: Sequence[Stretch]) -> None:
     y, width = layout.heights[stretch.shaft], abs(stretch.power) * pen.scale
     inner = _inside(stretch, pen, layout, stretches)
     spot = spots(stretch, layout)[0]
@@ -594,7 +594,7 @@ def spots(stretch: Stretch, layout: Layout) -> list[float]:
     return sorted(free, key=lambda gap: (abs(gap - middle), gap)) or [middle]
 
 
-def _across(pen: Pen, x: float, power: float, *, start: float, end: float, shares: Mapping[str, float]) -> None:
+def _across(pen: PowerPen, x: float, power: float, *, start: float, end: float, shares: Mapping[str, float]) -> None:
     """Draw power from one height to another."""
     width = power * pen.scale
     left = x - width / 2.0
@@ -606,7 +606,7 @@ def _across(pen: Pen, x: float, power: float, *, start: float, end: float, share
     pen.axes.shape(tip, fc=theme.INK, lw=0.0, zorder=6)
 
 
-def _around(pen: Pen, at: tuple[float, float], feed: Feed) -> None:
+def _around(pen: PowerPen, at: tuple[float, float], feed: Feed) -> None:
     """Draw arrow heads inside a machine that its shaft goes through: towards the shaft if it drives."""
     colour = pen.colours.get(feed.branch.part.name, theme.MUTED)
     if feed.branch.power == 0.0:
@@ -618,7 +618,7 @@ def _around(pen: Pen, at: tuple[float, float], feed: Feed) -> None:
         pen.axes.shape(corners, fc=colour, lw=0.0, zorder=6.3)
 
 
-def _patch(pen: Pen, box: tuple[float, float, float, float], name: str, layer: float = 2.0) -> None:
+def _patch(pen: PowerPen, box: tuple[float, float, float, float], name: str, layer: float = 2.0) -> None:
     left, low, width, height = box
     pen.axes.rectangle((left, low), width, height, fc=tinted(pen.colours[name]), lw=0.0, zorder=layer)
 
@@ -666,7 +666,7 @@ def power_flow_figure(sizing: Sizing, case: str) -> Figure:
     flow = by_name(case, sizing.flows, "case")
     board, train, layout, kinds = _start(sizing)
     traced = trace_power(train, flow, layout)
-    pen = Pen(board.axes, band_scale(traced), source_colours(train, flow, kinds))
+    pen = PowerPen(board.axes, band_scale(traced), source_colours(train, flow, kinds))
     opened = [joint.name for joint in train.joints if joint.name not in flow.joints]
     draw_train(board.axes, train, layout, kinds=kinds, open_clutches=opened)
     draw_bands(pen, train, flow, layout=layout, traced=traced)
@@ -724,7 +724,7 @@ def _name_shafts(board: Board, layout: Layout) -> None:
         board.place(shaft, places, colour=theme.MUTED)
 
 
-def _label_stretches(board: Board, pen: Pen, layout: Layout, stretches: Sequence[Stretch]) -> None:
+def _label_stretches(board: Board, pen: PowerPen, layout: Layout, stretches: Sequence[Stretch]) -> None:
     """Write kW and N m at every stretch, and the shaft's name and speed at its first."""
     fastest = max((abs(stretch.speed) for stretch in stretches), default=0.0)
     largest = max((abs(stretch.power) for stretch in stretches), default=0.0)

@@ -180,7 +180,7 @@ def _floats(sizing: Sizing, shaft: str) -> bool:
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-class Option(NamedTuple):
+class BearingPair(NamedTuple):
     """Kinds of the bearings of a shaft."""
 
     first: tuple[str, str]
@@ -192,11 +192,11 @@ class Option(NamedTuple):
 
 
 OPTIONS = (
-    Option(("deep-groove", "both"), ("cylindrical", "none")),
-    Option(("cylindrical", "none"), ("deep-groove", "both")),
-    Option(("taper", "first"), ("taper", "second")),
-    Option(("cylindrical", "none"), ("cylindrical", "none"), FIRST),
-    Option(("cylindrical", "none"), ("cylindrical", "none"), SECOND),
+    BearingPair(("deep-groove", "both"), ("cylindrical", "none")),
+    BearingPair(("cylindrical", "none"), ("deep-groove", "both")),
+    BearingPair(("taper", "first"), ("taper", "second")),
+    BearingPair(("cylindrical", "none"), ("cylindrical", "none"), FIRST),
+    BearingPair(("cylindrical", "none"), ("cylindrical", "none"), SECOND),
 )
 """Arrangements of locating and floating bearings that are tried for every shaft."""
 AXIAL = ("four-point", "both")
@@ -383,7 +383,7 @@ class Stood(NamedTuple):
     """A shaft in bearings."""
 
     line: Line
-    option: Option
+    option: BearingPair
     plan: ShaftPlan
     built: Built
     failing: tuple[Check, ...]
@@ -483,7 +483,7 @@ def _best(tried: Sequence[Stood]) -> Stood:
 
 
 def _built(
-    sizing: Sizing, context: Context, line: Line, option: Option, plan: ShaftPlan, axes: Mapping[str, complex]
+    sizing: Sizing, context: Context, line: Line, option: BearingPair, plan: ShaftPlan, axes: Mapping[str, complex]
 ) -> Stood:
     """Return a shaft with its bearings at given places."""
     gears, design = {gear.name: gear for gear in sizing.gears}, context.design

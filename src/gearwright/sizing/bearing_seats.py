@@ -341,7 +341,7 @@ class Swung(NamedTuple):
     """Its mass times the radius of its path [kg m]."""
 
 
-class Borne(NamedTuple):
+class BodyLoads(NamedTuple):
     """Everything that a body bears."""
 
     pushes: Sequence[Push]
@@ -396,7 +396,7 @@ def room_in(context: Context, step: GearSizing) -> float:
     return step.pitch_diameter - 2.0 * wall * step.module
 
 
-def _seat(context: Context, body: PlanetBody, carrier: Carrying, own: Support | None, borne: Borne) -> Seat:
+def _seat(context: Context, body: PlanetBody, carrier: Carrying, own: Support | None, borne: BodyLoads) -> Seat:
     """Return one seat of a body: all of it, or one of its bearings."""
     forward, backward = np.zeros((2, len(context.train.meshes), 3))
     for push in borne.pushes:
@@ -422,7 +422,7 @@ def _seat(context: Context, body: PlanetBody, carrier: Carrying, own: Support | 
     )
 
 
-def _in_simple(context: Context, body: PlanetBody, carrier: Carrying, gears: Mapping[str, GearSizing]) -> Borne:
+def _in_simple(context: Context, body: PlanetBody, carrier: Carrying, gears: Mapping[str, GearSizing]) -> BodyLoads:
     """Return what a planet of a simple set bears: sun and ring together, by the torque of the sun's mesh."""
     stage, pushes = carrier.stage, list[Push]()
     outwards, factor = planet_push(context, gears, stage), context.ratings[stage].load_factor
@@ -431,10 +431,10 @@ def _in_simple(context: Context, body: PlanetBody, carrier: Carrying, gears: Map
             arm = 1.0 + gears[str(gear_part(stage, Role.RING))].teeth / gears[mesh.gears[0]].teeth
             force = factor * arm / carrier.radius
             pushes.append(Push(k, 0.0, (force, force * outwards), (force, force * outwards)))
-    return Borne(pushes, [Swung(0.0, body.mass * carrier.radius)])
+    return BodyLoads(pushes, [Swung(0.0, body.mass * carrier.radius)])
 
 
-def _in_compound(context: Context, body: PlanetBody, gears: Mapping[str, GearSizing]) -> Borne:
+def _in_compound(context: Context, body: PlanetBody, gears: Mapping[str, GearSizing]) -> BodyLoads:
     """Return what a body of a compound set bears: every mesh of each of its steps."""
     epicyclic, own = context.design.epicyclics[body.stage], {gear.own: gear for gear in gears.values()}
     steps, pushes = [step.own for step in body.steps], list[Push]()
@@ -450,7 +450,7 @@ def _in_compound(context: Context, body: PlanetBody, gears: Mapping[str, GearSiz
                 pushes.append(Push(k, place, (there.tangential, there.radial), (behind.tangential, behind.radial)))
     radius, places = abs(set_pins(context, body.stage, own)[steps[0]]), body.places or (0.0,) * len(steps)
     swung = [Swung(place, step.turning_mass * radius) for place, step in zip(places, body.steps, strict=True)]
-    return Borne(pushes, swung)
+    return BodyLoads(pushes, swung)
 
 
 # ----------------------------------------------------------------------------------------------------------------------

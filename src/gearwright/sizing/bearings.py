@@ -307,7 +307,7 @@ TYPICAL_TAPER = LoadFactors(0.4, 0.4, 1.5)
 MAKER = "maker's rating, given by the user"
 
 
-class Tried(NamedTuple):
+class SizeTrial(NamedTuple):
     """What is known of the sizes of a bearing under one duty."""
 
     checks: dict[str, BearingCheck]
@@ -316,7 +316,7 @@ class Tried(NamedTuple):
     """Sizes that do not."""
 
 
-Checked = dict[tuple[str, BearingSpectrum], Tried]
+Checked = dict[tuple[str, BearingSpectrum], SizeTrial]
 """Bearing of a shaft and its duty -> what is known of its sizes."""
 
 
@@ -336,7 +336,7 @@ class Seating:
     """Bearing -> the sizes that may be taken, in order of preference."""
     design: Design
     """With its oil, and the life that it asks."""
-    tried: Mapping[str, Tried]
+    tried: Mapping[str, SizeTrial]
     """Bearing -> what is known of its sizes, also from other seatings of the shaft with the same duty."""
     names: tuple[str, ...]
     """What every row of the forces is called."""
@@ -447,7 +447,7 @@ def seating(
     plain = context.design.bearing_rules.life != "modified"
     for name, duty in duties.items():
         if (name, duty) not in known:
-            known[name, duty] = Tried({}, _too_weak(sizes[name], duty, by_life=plain))
+            known[name, duty] = SizeTrial({}, _too_weak(sizes[name], duty, by_life=plain))
     tried = {name: known[name, duty] for name, duty in duties.items()}
     return Seating(seats, radial, axial, duties, sizes, context.design, tried, names)
 
@@ -718,14 +718,14 @@ def _room(seat: Seat, fitted: Bearing) -> Iterator[Check]:
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-class Fitted(NamedTuple):
+class SeatedBearing(NamedTuple):
     """A bearing in a seat."""
 
     bearing: Bearing
     side_by_side: int
 
 
-def fitted_in(sizing: Sizing, seat: Seat) -> Fitted | None:
+def fitted_in(sizing: Sizing, seat: Seat) -> SeatedBearing | None:
     """Return the bearing that sizing took for a seat of the design, or for a planet; None for a film, or nothing.
 
     Args:
@@ -733,9 +733,9 @@ def fitted_in(sizing: Sizing, seat: Seat) -> Fitted | None:
         seat: One of its seats.
     """
     if seat.given is not None:
-        return Fitted(next(sized.bearing for sized in sizing.bearings if sized.name == seat.name), 1)
+        return SeatedBearing(next(sized.bearing for sized in sizing.bearings if sized.name == seat.name), 1)
     rolls = None if seat.runs_on is None else seat.runs_on.bearing
-    return None if rolls is None else Fitted(rolls, seat.side_by_side)
+    return None if rolls is None else SeatedBearing(rolls, seat.side_by_side)
 
 
 # ----------------------------------------------------------------------------------------------------------------------

@@ -202,7 +202,7 @@ _BESIDE = 1e-9
 """How far left and right of a section its moments are read [m]; they jump where a couple acts."""
 
 
-class Part(NamedTuple):
+class LoadComponent(NamedTuple):
     """Some of what acts on one shaft, in balance by itself."""
 
     loads: PointLoads
@@ -220,7 +220,7 @@ class ShaftForces(NamedTuple):
     axial: Floats
     """Force along the shaft that its bearings take, positive towards its second end [N], (cases,)."""
     bends: bool
-    apart: tuple[Part, ...] = ()
+    apart: tuple[LoadComponent, ...] = ()
     """Where rotors bend the shaft: the meshes alone, and each rotor alone, which may point anywhere."""
     rows: tuple[LoadRow, ...] = ()
     """What each row of these loads is; empty where each is a load case of the design."""
@@ -346,9 +346,9 @@ def _in_rows(loads: PointLoads, axial: Floats, rows: Sequence[LoadRow]) -> tuple
     return PointLoads(loads.position, force, couple, factor[:, None] * loads.torque[at]), factor * axial[at]
 
 
-def _part(loads: PointLoads, plan: ShaftPlan) -> Part:
+def _part(loads: PointLoads, plan: ShaftPlan) -> LoadComponent:
     held = supported(loads, plan.bearings, length=plan.length)
-    return Part(held, diagram(held))
+    return LoadComponent(held, diagram(held))
 
 
 def rotor_side(plan: ShaftPlan, rotor: str) -> float:

@@ -50,7 +50,7 @@ from gearwright.parts.losses import (
     TURBINE_OIL,
     VITON,
     Friction,
-    MeshDuty,
+    LossDuty,
     MeshLaw,
     OilState,
     RunningBearing,
@@ -75,7 +75,7 @@ from gearwright.parts.micropitting import BASES
 from gearwright.sizing.airscrew_loads import usual_thrust
 from gearwright.sizing.arrangement import axial_forces
 from gearwright.sizing.bearing_seats import Seat, bearing_seats, seat_forces
-from gearwright.sizing.bearings import Fitted, fitted_in
+from gearwright.sizing.bearings import SeatedBearing, fitted_in
 from gearwright.sizing.planets import STANDING, film_oil
 from gearwright.sizing.result import GearSizing, MeshSizing, Sizing
 from gearwright.sizing.shafts.ends import exits_of
@@ -219,7 +219,7 @@ def dipping(sizing: Sizing, dip: Mapping[str, float], path: str) -> Mapping[str,
 _PART_1 = "ISO/TR 14179-1"
 
 
-def mesh_limits(contact: ToothContact, duty: MeshDuty, oil: OilState, law: MeshLaw, kind: str) -> str:
+def mesh_limits(contact: ToothContact, duty: LossDuty, oil: OilState, law: MeshLaw, kind: str) -> str:
     """Return the limits at which the loss of a mesh is taken; empty where its formula holds.
 
     Args:
@@ -235,7 +235,7 @@ def mesh_limits(contact: ToothContact, duty: MeshDuty, oil: OilState, law: MeshL
     return "; ".join(words)
 
 
-def _of_law(contact: ToothContact, duty: MeshDuty, oil: OilState, law: MeshLaw) -> Iterator[str]:
+def _of_law(contact: ToothContact, duty: LossDuty, oil: OilState, law: MeshLaw) -> Iterator[str]:
     if law is MeshLaw.ISO_TR_14179_1:
         yield from _held("V", abs(duty.velocity), (SLOWEST, FASTEST), "m/s")
         intensity = load_intensity(contact, duty.line_load) * 1e-6
@@ -374,12 +374,12 @@ def mesh_loss_limits(
     }
 
 
-def _duties(sizing: Sizing, teeth: Teeth, torques: Floats, speeds: Mapping[str, Values]) -> Iterator[MeshDuty]:
+def _duties(sizing: Sizing, teeth: Teeth, torques: Floats, speeds: Mapping[str, Values]) -> Iterator[LossDuty]:
     """Yield load and velocity of every mesh row."""
     for k, mesh in enumerate(sizing.train.meshes):
         normal = abs(torques[k]) / (teeth.radii[k] * np.cos(teeth.contacts[k].pressure_angle))
         velocity = (speeds[mesh.nodes[0]] - speeds[mesh.nodes[2]]) * teeth.radii[k]
-        yield MeshDuty(plain(normal / teeth.widths[k]), float(teeth.widths[k]), plain(velocity))
+        yield LossDuty(plain(normal / teeth.widths[k]), float(teeth.widths[k]), plain(velocity))
 
 
 def _contact(sizing: Sizing, pair: tuple[GearSizing, GearSizing], mesh: MeshSizing) -> ToothContact:
@@ -493,7 +493,7 @@ def _film_power(seat: Seat, radial: Values, turning: Values, oil: Oil) -> Values
     return of.where(stands, 0.0, state.power)
 
 
-def _torque(fitted: Fitted, load: tuple[Values, Values], turning: Values, oil: Oil) -> Values:
+def _torque(fitted: SeatedBearing, load: tuple[Values, Values], turning: Values, oil: Oil) -> Values:
     """Return the friction torque of one bearing [N m]."""
     taken, friction = fitted.bearing, bearing_friction(fitted.bearing)
     radial, axial = load
@@ -508,7 +508,7 @@ def _torque(fitted: Fitted, load: tuple[Values, Values], turning: Values, oil: O
     return bearing_torque_skf(running, friction, turning, viscosity=oil.viscosity)
 
 
-def _deciding(fitted: Fitted, radial: Values, axial: Values) -> Values:
+def _deciding(fitted: SeatedBearing, radial: Values, axial: Values) -> Values:
     """Return the load P_1 that decides Palmgren's friction [N]: at least the radial one."""
     if not isinstance(radial, np.ndarray):
         return max(equivalent_loads(fitted.bearing, radial, axial)[0], radial)

@@ -63,7 +63,7 @@ class Clearance(NamedTuple):
     """[m]"""
 
 
-class Bent(NamedTuple):
+class SeatDeflection(NamedTuple):
     """How a shaft bends where a part sits."""
 
     deflection: float
@@ -142,7 +142,7 @@ def mates_of(sizing: Sizing) -> frozenset[frozenset[PartId]]:
     )
 
 
-def bending(sizing: Sizing) -> dict[tuple[str, str], Bent]:
+def bending(sizing: Sizing) -> dict[tuple[str, str], SeatDeflection]:
     """Return shaft and gear or bearing -> how the shaft bends there; of built shafts.
 
     Args:
@@ -152,11 +152,11 @@ def bending(sizing: Sizing) -> dict[tuple[str, str], Bent]:
     for shaft in sizing.built_shafts:
         deflections = dict(shaft.deflections)
         for place, slope in shaft.slopes:
-            found[shaft.name, place] = Bent(deflections.get(place, 0.0), slope)
+            found[shaft.name, place] = SeatDeflection(deflections.get(place, 0.0), slope)
     return found
 
 
-def moved(body: Body, bent: Mapping[tuple[str, str], Bent]) -> float:
+def moved(body: Body, bent: Mapping[tuple[str, str], SeatDeflection]) -> float:
     """Return how far bending moves the rim of a body at most [m]; a free stretch moves as the worst of its shaft.
 
     Args:
@@ -379,7 +379,7 @@ _GRINDING_HELP = (
 )
 
 
-class Beside(NamedTuple):
+class Obstacle(NamedTuple):
     """What stands beside teeth and is thicker than their root circle."""
 
     name: str
@@ -440,7 +440,7 @@ def _ground(sizing: Sizing, shaft: BuiltShaft, gear: GearSizing, own: list[GearS
         )  # fmt: skip
 
 
-def _beside_teeth(sizing: Sizing, shaft: BuiltShaft, gear: GearSizing, own: list[GearSizing]) -> Iterator[Beside]:
+def _beside_teeth(sizing: Sizing, shaft: BuiltShaft, gear: GearSizing, own: list[GearSizing]) -> Iterator[Obstacle]:
     """Yield the steps and gears of one piece with the shaft that are thicker than the roots of a gear."""
     places, root = sizing.arrangement.plans[shaft.name].places, cylindrical_gear(sizing.design, gear).root_radius
     start, end = (places[gear.name] + side * _half(gear) for side in (-1.0, 1.0))
@@ -449,7 +449,7 @@ def _beside_teeth(sizing: Sizing, shaft: BuiltShaft, gear: GearSizing, own: list
               for other in own]  # fmt: skip
     for low, high, radius, name in thick:
         if name != gear.name and radius > root:
-            yield Beside(name, max(low - end, start - high, 0.0), radius - root)
+            yield Obstacle(name, max(low - end, start - high, 0.0), radius - root)
 
 
 def _half(gear: GearSizing) -> float:

@@ -81,7 +81,7 @@ THICKEST = 0.96
 """Largest bore of a planet over its root circle, whatever stands in it: what has no room is told by its checks [-]."""
 
 
-class Carried(NamedTuple):
+class CarrierBasis(NamedTuple):
     """What is known of a carrier before it is sized."""
 
     stage: str
@@ -184,7 +184,7 @@ def tasks(context: Context, gears: tuple[GearSizing, ...]) -> Iterator[Task]:
         return
     by_name = {gear.name: gear for gear in gears}
     carriers = [
-        Carried(name, stage.carrier, pin_circle(context, name, by_name), 0.0)
+        CarrierBasis(name, stage.carrier, pin_circle(context, name, by_name), 0.0)
         for name, stage in context.design.planetaries.items()
     ]
     own = [gear for gear in gears if gear.stage in context.design.planetaries]
@@ -244,7 +244,7 @@ def _mass_around(context: Context, planet: GearSizing, outside: float, *, crown:
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-class Proportions(NamedTuple):
+class RollerProportions(NamedTuple):
     """How rollers of a kind fill the room between pin and planet; assumptions."""
 
     roller: float
@@ -260,9 +260,9 @@ class Proportions(NamedTuple):
 
 
 PROPORTIONS = {
-    "needle": Proportions(0.10, 0.85, 0.85),
-    "integral": Proportions(0.25, 0.80, 0.85),
-    "ceramic": Proportions(0.25, 0.80, 0.85, CERAMIC_DENSITY, ceramic_share()),
+    "needle": RollerProportions(0.10, 0.85, 0.85),
+    "integral": RollerProportions(0.25, 0.80, 0.85),
+    "ceramic": RollerProportions(0.25, 0.80, 0.85, CERAMIC_DENSITY, ceramic_share()),
 }
 """Kind -> how it is proportioned."""
 FEWEST = 6

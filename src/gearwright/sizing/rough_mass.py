@@ -45,7 +45,7 @@ class Casing(NamedTuple):
     """What shafts and plates of a set add to its depth [m]."""
 
 
-class Around(NamedTuple):
+class MassBasis(NamedTuple):
     """What the parts around the gears of a stage are estimated from."""
 
     gears: tuple[str, ...]
@@ -70,7 +70,7 @@ class Around(NamedTuple):
     """Oil, pump, lines, filter and cooler over the power that is lost [kg/W]."""
 
 
-def around_stage(name: str, design: Design, train: Train, flows: Mapping[str, PowerFlow], lean: float) -> Around:
+def around_stage(name: str, design: Design, train: Train, flows: Mapping[str, PowerFlow], lean: float) -> MassBasis:
     """Return what the parts around the gears of a stage are estimated from.
 
     Args:
@@ -89,7 +89,7 @@ def around_stage(name: str, design: Design, train: Train, flows: Mapping[str, Po
         for flow in lasting
     )
     places = tuple((names.index(mesh.gears[0]), names.index(mesh.gears[1]), mesh.sign) for mesh in rows)
-    found = Around(
+    found = MassBasis(
         names, tuple(gear.bodies for gear in gears), places, lean, cases,
         casing=_casing(design, lasting[0] if lasting else next(iter(flows.values()))), per_heat=_per_heat(design),
     )  # fmt: skip
@@ -171,7 +171,7 @@ MIST = 5.324e-3
 
 
 def around_mass(
-    around: Around, teeth: Sequence[Floats], modules: Floats, widths: Floats, *, planet: Floats, planets: int,
+    around: MassBasis, teeth: Sequence[Floats], modules: Floats, widths: Floats, *, planet: Floats, planets: int,
     factor: float,
 ) -> Floats:  # fmt: skip
     """Return about what carries and encloses the gears of sizes of a stage weighs [kg].
@@ -222,7 +222,9 @@ def housing_mass(casing: Casing, length: Floats, breadth: Floats, depth: Floats)
     return np.asarray(RIBBED * casing.density * wall * area + FLANGES * girth)
 
 
-def oil_mass(around: Around, teeth: Sequence[Floats], modules: Floats, widths: Floats, *, planets: int = 0) -> Floats:
+def oil_mass(
+    around: MassBasis, teeth: Sequence[Floats], modules: Floats, widths: Floats, *, planets: int = 0
+) -> Floats:
     """Return about what oil weighs that carries away what the gears of a stage lose, with what moves and cools it [kg].
 
     Args:

@@ -41,7 +41,7 @@ from gearwright.sizing.rating import (
 )
 from gearwright.sizing.rating.iso6336_inputs import steels_of
 from gearwright.sizing.result import GearSizing, MeshSizing
-from gearwright.sizing.rough_mass import Around, Turned, around_mass, around_stage, oil_mass
+from gearwright.sizing.rough_mass import MassBasis, Turned, around_mass, around_stage, oil_mass
 from gearwright.spec import Epicyclic, Pair, Planetary, case_named, levels_of, shares_of
 from gearwright.spec.design import BUILT, module_owners, relative_modules, split_levels
 from gearwright.train import INTERNAL, Gear, Mesh
@@ -122,7 +122,7 @@ def _masses(context: Context, part: Part, modules: Floats, widths: Floats) -> tu
 
 
 def _around_compound(
-    context: Context, part: Part, around: Around, modules: Floats, widths: Floats
+    context: Context, part: Part, around: MassBasis, modules: Floats, widths: Floats
 ) -> tuple[Floats, Floats]:
     """Return the same of a group of gears of a compound set."""
     own = [place for place, gear in enumerate(around.gears) if context.train.gear(gear).sized == part.name]
@@ -701,7 +701,9 @@ def combinations(
     alike = dict[object, list[_Open]]()
     for one in open_:
         alike.setdefault(one.kind(context, demands), []).append(one)
-    courses = [_Course(options(context, *ones[0][:2], demands, is_open=ones[0].is_open), []) for ones in alike.values()]
+    courses = [
+        _OptionStream(options(context, *ones[0][:2], demands, is_open=ones[0].is_open), []) for ones in alike.values()
+    ]
     start = (0,) * len(courses)
     heap, seen = [(0.0, start)], {start}
     while heap:
@@ -723,7 +725,7 @@ def combinations(
                 heapq.heappush(heap, (heavier, after))
 
 
-class _Course(NamedTuple):
+class _OptionStream(NamedTuple):
     """Options as far as they are looked at."""
 
     left: Iterator[Option]

@@ -173,7 +173,7 @@ def range_of(info: FieldInfo) -> Range:
     return Range(minimum, maximum, above="gt" in bounds, below="lt" in bounds, smallest=smallest)
 
 
-class Allowed(NamedTuple):
+class FieldRange(NamedTuple):
     """What a field takes, looked up once for every field of a record."""
 
     numbers: Range
@@ -182,7 +182,7 @@ class Allowed(NamedTuple):
 
 
 @cache
-def allowed_in(model: type[BaseModel], name: str) -> Allowed:
+def allowed_in(model: type[BaseModel], name: str) -> FieldRange:
     """Return what a field of a record takes.
 
     Args:
@@ -192,10 +192,10 @@ def allowed_in(model: type[BaseModel], name: str) -> Allowed:
     info = model.model_fields[name]
     mark = quantity_of(info)
     suffix = mark and next(suffix for suffix, factor in SUFFIXES[mark.dimension].items() if factor == 1.0)
-    return Allowed(range_of(info), suffix_unit(suffix) if suffix else "")
+    return FieldRange(range_of(info), suffix_unit(suffix) if suffix else "")
 
 
-def checked(value: Any, allowed: Allowed, name: str) -> Any:
+def checked(value: Any, allowed: FieldRange, name: str) -> Any:
     """Return a value of a field as it is.
 
     Args:
@@ -281,7 +281,7 @@ class OneOf:
         return name
 
 
-def _refuse_beyond(value: float, allowed: Allowed) -> None:
+def _refuse_beyond(value: float, allowed: FieldRange) -> None:
     if not allowed.numbers.holds(value):
         raise PydanticCustomError("beyond", "give {words}", {"words": allowed.numbers.words(1.0, allowed.unit)})
 
@@ -327,7 +327,7 @@ def _bounds(info: FieldInfo, name: str) -> Iterator[float]:
     return (bound for mark in info.metadata if (bound := getattr(mark, name, None)) is not None)
 
 
-_PLAIN = Allowed(range_of(FieldInfo()), "")
+_PLAIN = FieldRange(range_of(FieldInfo()), "")
 
 
 # ----------------------------------------------------------------------------------------------------------------------

@@ -7,7 +7,7 @@ import pytest
 import gearwright.closure.moves as separate
 from designs import PAIR, changed
 from gearwright.closure import Wishes, close
-from gearwright.closure.loop import Candidate, Change, Task, judged, options, settled
+from gearwright.closure.loop import Candidate, StageChange, Task, judged, options, settled
 from gearwright.closure.moves import other_teeth
 from gearwright.closure.requirements import stage_lives
 from gearwright.sizing import size
@@ -57,7 +57,7 @@ def test_where_free_teeth_lead_nowhere_given_ones_are_tried(monkeypatch):
 def test_other_teeth_of_one_pair_leave_pairs_on_common_axes_at_one_distance(step):
     state = settled(Task(edited(parse(COAXIAL), ISO), Wishes(free=("teeth",))))
     frees = ("pairs.next.pinion_teeth", "pairs.next.wheel_teeth")
-    change = Change(("pairs.next",), {frees[1]: None, frees[0]: 30 + step}, frees)
+    change = StageChange(("pairs.next",), {frees[1]: None, frees[0]: 30 + step}, frees)
     (option,) = options(state, [change])
     other = option.settled
     first, second = (mesh.centre_distance for mesh in other.sizing.meshes)

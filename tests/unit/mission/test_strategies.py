@@ -8,7 +8,7 @@ import pytest
 from gearwright.errors import DesignError
 from gearwright.machines import Battery, battery_step, current_of, stored_energy
 from gearwright.mission import fly
-from gearwright.mission.strategies import Demand, Stage, electric_share, optimal_plan
+from gearwright.mission.strategies import Demand, ShareCost, electric_share, optimal_plan
 from gearwright.spec import StrategyRules, parse_mission, read_mission
 from shipped_work import flown, sized
 
@@ -63,7 +63,7 @@ def stages(powers, shares, duration=60.0):
             current, square = current_of(PACK, charges[:, None], electric[None, :], duration)
             return np.where(square < 0.0, np.nan, charges[:, None] - current * duration / PACK.charge)
 
-        return Stage(fuel, after)
+        return ShareCost(fuel, after)
 
     return [stage(power) for power in powers]
 
@@ -98,7 +98,7 @@ def test_equal_intervals_share_alike_where_only_resistance_loses():
         current, _ = current_of(flat, charges[:, None], (power * shares)[None, :], duration)
         return charges[:, None] - current * duration / flat.charge
 
-    row = Stage(duration * 1e-7 * power * (1.0 - shares), after)
+    row = ShareCost(duration * 1e-7 * power * (1.0 - shares), after)
     plan = optimal_plan([row] * count, np.linspace(0.0, 1.0, 2001), start=0.5, end=0.5 - drop)
     current = flat.charge * drop / (count * duration)
     electric = 700.0 * current - 0.2 * current**2

@@ -18,7 +18,7 @@ from gearwright.parts.bevel_geometry import (
 from gearwright.parts.iso6336 import (
     GearSteel,
     LoadedTooth,
-    LoadFactors,
+    ToothLoadFactors,
     ToothProportions,
     Treatment,
     bending_size_factor,
@@ -306,7 +306,7 @@ def test_a_cutter_bends_teeth_lengthwise_up_to_fifteen_per_cent():
 def test_pitting_is_the_product_of_part_2(pair):
     """σ_H0 = √(F_n/(l_bm ρ_rel)) Z_M-B Z_LS Z_E; σ_HP = σ_Hlim Z_NT Z_L Z_v Z_R 1.2."""
     hand, virtual = Hand10300(pair), VirtualPair(pair)
-    duty, loads = BevelDuty(180.0, -220.0, 8e-6), LoadFactors(1.25, 1.0, 1.1, 1.6, 1.2, 1.5, 1.2)
+    duty, loads = BevelDuty(180.0, -220.0, 8e-6), ToothLoadFactors(1.25, 1.0, 1.1, 1.6, 1.2, 1.5, 1.2)
     force = 360.0 / hand.d_m[0] / (math.cos(pair.pressure_angle) * math.cos(pair.spiral_angle))
     compliance = 0.91 / 206e9 + (1.0 - 0.29**2) / 200e9
     nominal = math.sqrt(force / (hand.lines[1][0] * hand.rho)) * mid_zone_factor(virtual) * virtual.load_sharing
@@ -329,7 +329,7 @@ def test_pitting_is_the_product_of_part_2(pair):
 def test_bending_is_the_product_of_part_3(pair, gear):
     """σ_F0 = F/(b m_mn) Y_Fa Y_Sa Y_ε Y_BS Z_LS²; σ_FP = σ_Flim 2 Y_NT Y_δ Y_R Y_X."""
     hand, virtual = Hand10300(pair), VirtualPair(pair)
-    duty, loads = BevelDuty(180.0, 220.0, 8e-6), LoadFactors(1.25, 1.0, 1.1, 1.6, 1.2, 1.5, 1.3)
+    duty, loads = BevelDuty(180.0, 220.0, 8e-6), ToothLoadFactors(1.25, 1.0, 1.1, 1.6, 1.2, 1.5, 1.3)
     section = tip_loaded_section(virtual, gear)
     nominal = 360.0 / hand.d_m[0] / (pair.face_width * hand.m_mn) * section.form * section.stress_correction
     nominal *= contact_ratio_factor_bending(virtual) * spiral_angle_factor(virtual) * virtual.load_sharing**2

@@ -16,7 +16,6 @@ from gearwright.parts.iso6336 import (
     UNMODIFIED,
     Edition,
     GearSteel,
-    LoadFactors,
     MeshDeviations,
     MeshDuty,
     MeshGeometry,
@@ -26,6 +25,7 @@ from gearwright.parts.iso6336 import (
     PinionShaft,
     StrengthLine,
     StressBin,
+    ToothLoadFactors,
     Treatment,
     allowable_stress,
     bending_life_curve,
@@ -383,7 +383,7 @@ def test_the_dynamic_factor_counts_teeth_mass_and_stiffness():
 
 def test_pitting_is_the_product_of_its_factors():
     """ISO 6336-2, clause 5: σ_H0 = Z_H Z_E Z_ε Z_β √(F_t/(d_1 b) (u + 1)/u); every factor another number."""
-    loads = LoadFactors(1.25, 1.1, 1.07, 1.2, 1.15, 1.18, 1.13)
+    loads = ToothLoadFactors(1.25, 1.1, 1.07, 1.2, 1.15, 1.18, 1.13)
     assert loads.contact == near(1.25 * 1.1 * 1.07 * 1.2 * 1.15)
     assert loads.bending == near(1.25 * 1.1 * 1.07 * 1.18 * 1.13)
     strengths = (ContactStrengthFactors(0.9, 1.02, 0.97, 0.93, 1.1, 0.98), ContactStrengthFactors(0.95))
@@ -408,7 +408,7 @@ def test_pitting_is_the_product_of_its_factors():
 def test_bending_is_the_product_of_its_factors(edition, gear):
     """ISO 6336-3, clause 5; f_ε and the cosines of Y_β with the edition; Y_ST = 2."""
     loads, strength = (
-        LoadFactors(1.25, 1.1, 1.07, 1.2, 1.15, 1.18, 1.13),
+        ToothLoadFactors(1.25, 1.1, 1.07, 1.2, 1.15, 1.18, 1.13),
         RootStrengthFactors(0.9, 0.98, 1.03, 0.97, 0.7),
     )
     assert strength.product == near(0.9 * 0.98 * 1.03 * 0.97 * 0.7)
@@ -469,7 +469,7 @@ def test_a_rating_hands_every_factor_on_in_the_order_of_the_standard():
     )  # fmt: skip
     assert vars(rated.transverse) == pytest.approx(vars(across))
     assert vars(rated.loads) == pytest.approx(
-        vars(LoadFactors(1.25, 1.1, k_v.factor, face.contact, across.contact, face.bending, across.bending))
+        vars(ToothLoadFactors(1.25, 1.1, k_v.factor, face.contact, across.contact, face.bending, across.bending))
     )
     for gear, (steel, count, width) in enumerate(zip(steels, rated.cycles, widths, strict=True)):
         z, y = rated.contact_strength[gear], rated.root_strength[gear]
@@ -522,10 +522,10 @@ def test_what_is_usual_is_class_5_ground_and_centred():
 
 def test_factors_that_nobody_gives_are_one():
     """A load, a strength and a body without factors: the bare stresses and limits of clause 5."""
-    rated = pitting_rating(MESH, (HARD, HARD), 9e3, loads=LoadFactors(), strengths=(ContactStrengthFactors(),) * 2)
+    rated = pitting_rating(MESH, (HARD, HARD), 9e3, loads=ToothLoadFactors(), strengths=(ContactStrengthFactors(),) * 2)
     z_b, _ = single_contact_factors(MESH)
     assert rated.stresses[0] == near(z_b * rated.nominal_stress) and rated.permissible == (1500e6, 1500e6)
-    root = bending_rating(MESH, 0, HARD, specific_load=3e5, loads=LoadFactors(), strength=RootStrengthFactors())
+    root = bending_rating(MESH, 0, HARD, specific_load=3e5, loads=ToothLoadFactors(), strength=RootStrengthFactors())
     assert root.stress == root.nominal_stress and root.permissible == 922e6
     assert (root.rim, root.deep_tooth) == (1.0, 1.0)
 

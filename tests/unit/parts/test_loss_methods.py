@@ -9,7 +9,7 @@ from hypothesis import given, strategies as st
 from gearwright.parts.bearings import BearingKind
 from gearwright.parts.losses import (
     NITRILE,
-    MeshDuty,
+    LossDuty,
     MeshLaw,
     OilState,
     RunningBearing,
@@ -31,7 +31,7 @@ from gearwright.units import RPM
 DEGREE = math.pi / 180.0
 CONTACT = tooth_contact((30, 90), 3e-3, pressure_angle=20 * DEGREE)
 OIL = OilState(8e-3, 950.0, 0.4e-6)
-DUTY = MeshDuty(300e3, 0.04, 15.0)
+DUTY = LossDuty(300e3, 0.04, 15.0)
 near = pytest.approx
 
 
@@ -96,9 +96,9 @@ def test_no_law_loses_more_than_the_sliding_of_full_friction_and_an_internal_mes
     law, velocity, load, teeth
 ):
     contact = tooth_contact((30, teeth), 3e-3, pressure_angle=20 * DEGREE)
-    part = mesh_loss_part(contact, MeshDuty(load, 0.04, velocity), OIL, law=law)
+    part = mesh_loss_part(contact, LossDuty(load, 0.04, velocity), OIL, law=law)
     assert 0.0 < part < 0.2 * CONTACT.loss_factor
-    assert mesh_loss_part(contact, MeshDuty(-load, 0.04, -velocity), OIL, law=law) == near(part)
+    assert mesh_loss_part(contact, LossDuty(-load, 0.04, -velocity), OIL, law=law) == near(part)
 
 
 @given(st.floats(3.0, 20.0))
@@ -112,7 +112,7 @@ def test_part_one_schlenk_and_niemann_lose_less_of_fast_teeth(velocity):
 
 def test_the_loss_of_every_point_sums_to_the_friction_of_the_path_where_friction_is_constant():
     """With f held at 0.2 (a load beyond all) sliding alone is 0.2 H_V up to the points that stand for the path."""
-    heavy = MeshDuty(1e26, 0.04, 15.0)
+    heavy = LossDuty(1e26, 0.04, 15.0)
     assert anderson_loewenthal_part(CONTACT, heavy, OIL) == near(0.2 * CONTACT.loss_factor, rel=5e-3)
 
 

@@ -15,7 +15,7 @@ from gearwright.parts.bearings import (
 )
 from gearwright.parts.bearings.life import ISO281_2007, ISO_R281_1962
 from gearwright.parts.iso6336 import MeshGeometry
-from gearwright.parts.losses import MeshDuty, OilState, anderson_loewenthal_part, iso_tr_14179_1_part, tooth_contact
+from gearwright.parts.losses import LossDuty, OilState, anderson_loewenthal_part, iso_tr_14179_1_part, tooth_contact
 from gearwright.parts.micropitting import FilmMesh, OilGrade, film_of_test, film_thickness, path_places
 from gearwright.units import RPM
 
@@ -97,7 +97,7 @@ def test_the_sliding_and_rolling_of_anderson_and_loewenthal_point_by_point():
     film = 2.051e-7 * (roll * oil) ** 0.67 * own**-0.067 * (first * second / (first + second)) ** 0.464
     power = np.mean(friction * own * slide + 9e7 * film * width * roll) * (before + behind) / pitch
     part = power / (load * math.cos(alpha) * velocity)
-    duty = MeshDuty(load / width, width, velocity)
+    duty = LossDuty(load / width, width, velocity)
     assert anderson_loewenthal_part(contact, duty, OilState(8e-3, 950.0, 0.4e-6)) == pytest.approx(part, rel=5e-3)
 
 
@@ -105,7 +105,7 @@ def test_part_one_of_the_report_takes_a_helix_by_its_square():
     """f_m cos² β/M: the same transverse section, load and speed with a helix of 30° loses three quarters."""
     spur = tooth_contact((30, 90), 3e-3, pressure_angle=0.35)
     helical = spur._replace(helix=math.radians(30.0))
-    duty, oil = MeshDuty(300e3, 0.04, 15.0), OilState(8e-3, 950.0, 0.4e-6)
+    duty, oil = LossDuty(300e3, 0.04, 15.0), OilState(8e-3, 950.0, 0.4e-6)
     part = iso_tr_14179_1_part(helical, duty, oil) / iso_tr_14179_1_part(spur, duty, oil)
     assert part == pytest.approx(0.75, rel=1e-12)
 

@@ -23,10 +23,10 @@ from gearwright.render.drawings.entities import (
     Arc,
     Corner,
     Distance,
+    GeometricTolerance,
     Hatch,
     Layer,
     Path,
-    Tolerance,
     Words,
     drawn,
     extent,
@@ -574,17 +574,19 @@ def test_bores_of_the_housing_have_their_bearings_sizes_and_what_they_must_keep(
     assert {"Ø0.019", "Ø0.046"} <= set(texts_of)
     assert true_to(sizing, "input") is None
     # IT6 of the 295 mm between the mast's bearings, 32 µm, square to the axis of the bevel pinion.
-    assert true_to(sizing, "mast") == Tolerance("perpendicularity", pytest.approx(0.032), "intermediate")
-    assert true_to(sizing, "tail") == Tolerance("position", pytest.approx(0.030), "input")
+    assert true_to(sizing, "mast") == GeometricTolerance("perpendicularity", pytest.approx(0.032), "intermediate")
+    assert true_to(sizing, "tail") == GeometricTolerance("position", pytest.approx(0.030), "input")
 
 
 def test_a_frame_has_the_symbol_its_zone_and_its_datums():
     for what, circles in (("coaxiality", 2), ("position", 1), ("flatness", 0), ("perpendicularity", 0)):
-        marks = tolerance_frame(0j, Tolerance(what, 0.02, "" if what == "flatness" else "A"))
+        marks = tolerance_frame(0j, GeometricTolerance(what, 0.02, "" if what == "flatness" else "A"))
         assert len([mark for mark in marks if isinstance(mark, Arc)]) == circles
         words = [mark.text for mark in marks if isinstance(mark, Words)]
         assert words == [("Ø0.02" if circles else "0.02"), *([] if what == "flatness" else ["A"])]
-        assert extent(marks)[2] == pytest.approx(frame_length(Tolerance(what, 0.02, "" if what == "flatness" else "A")))
+        assert extent(marks)[2] == pytest.approx(
+            frame_length(GeometricTolerance(what, 0.02, "" if what == "flatness" else "A"))
+        )
 
 
 def test_a_groove_is_dimensioned_on_the_sheet_of_its_shaft():

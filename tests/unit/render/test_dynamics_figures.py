@@ -22,7 +22,7 @@ from gearwright.render.figures.motion import (
 from gearwright.render.pages.motion import dynamics_sections
 from gearwright.render.style import to_svg
 from gearwright.render.tables.dynamics import critical_table, excited_by, loudest_table, machine_table, peak_table
-from gearwright.render.vector.figure import Figure, Shape, Words
+from gearwright.render.vector.figure import Figure, Shape, TextMark
 from gearwright.render.vector.layout import key_rows
 from gearwright.shipped import shipped_design, shipped_designs
 from gearwright.sizing import size
@@ -175,7 +175,7 @@ def test_what_lies_below_300_hz_has_a_panel_with_every_order_by_name():
     titles = [axes.title for axes in figure.axes]
     low = next(axes for axes, title in zip(figure.axes, titles, strict=True) if "300 Hz" in title)
     assert low.get_ylim() == (0.0, 300.0)
-    words = {mark.text for mark in low.of(Words)}
+    words = {mark.text for mark in low.of(TextMark)}
     assert {"propeller blade pass", "gas-turbine 1P", "second planet pass"} <= words
 
 

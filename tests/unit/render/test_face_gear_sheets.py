@@ -11,7 +11,7 @@ from gearwright.render.drawings.catalogue import sheets
 from gearwright.render.drawings.entities import Distance, Hatch, Layer, Words
 from gearwright.render.drawings.gear_view import face_section, face_teeth, hub_of, toward_pinion
 from gearwright.render.drawings.positions import positions
-from gearwright.render.drawings.shaft_view import Axis, made_of
+from gearwright.render.drawings.shaft_view import SheetAxis, made_of
 from gearwright.shape.stands import gear_of, stands_of
 from shipped_work import sized
 
@@ -49,7 +49,9 @@ def test_teeth_look_at_the_pinion(sizing, wheel, shaft):
     stands = {stand.node: stand for stand in stands_of(sizing) if stand.gear.stage == "first"}
     own, toward = stands[shaft], toward_pinion(sizing, wheel, shaft)
     assert float((stands["input"].axes.origin - own.axes.origin) @ own.axes.along) * toward > 0.0
-    section = face_section(sizing, wheel, hub_of(sizing, wheel, shaft), Axis(0j, 1 + 0j, 1.0), toward=toward, lean=0.7)
+    section = face_section(
+        sizing, wheel, hub_of(sizing, wheel, shaft), SheetAxis(0j, 1 + 0j, 1.0), toward=toward, lean=0.7
+    )
     bodies = [each for each in section if isinstance(each, Hatch)]
     assert bodies
     assert all(toward * corner.real < 0.0 for body in bodies for corner in body.points)
@@ -57,7 +59,9 @@ def test_teeth_look_at_the_pinion(sizing, wheel, shaft):
 
 def test_the_section_weighs_what_the_parts_list_says(sizing, wheel):
     """The hatched half turned about the axis, with the teeth before it (Guldin): the catalogue's density for both."""
-    section = face_section(sizing, wheel, hub_of(sizing, wheel, "left"), Axis(0j, 1 + 0j, 1.0), toward=1.0, lean=0.7)
+    section = face_section(
+        sizing, wheel, hub_of(sizing, wheel, "left"), SheetAxis(0j, 1 + 0j, 1.0), toward=1.0, lean=0.7
+    )
     corners = next(each.points for each in section if isinstance(each, Hatch) and each.points[0].imag > 0.0)
     volume = 0.0
     for one, other in pairwise([*corners, corners[0]]):

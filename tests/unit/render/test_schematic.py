@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 from gearwright.render.schematic import power_flow_figure, schematic_figure, source_colours, trace_power
 from gearwright.render.skeleton import lay_out
 from gearwright.render.style import Board
-from gearwright.render.vector.figure import Axes, Box, Words
+from gearwright.render.vector.figure import Axes, Box, TextMark
 from gearwright.render.vector.layout import text_width, words_box
 from gearwright.shipped import shipped_design, shipped_designs
 from gearwright.sizing import size
@@ -32,7 +32,7 @@ def layout_of(sizing):
 
 def overlapping(figure):
     axes, frame = figure.axes[0], (0.0, 0.0, figure.width, figure.height)
-    boxes = [(words.text, shrunk(words_box(words, axes, frame))) for words in axes.of(Words)]
+    boxes = [(words.text, shrunk(words_box(words, axes, frame))) for words in axes.of(TextMark)]
     return [(a, b) for (a, one), (b, other) in combinations(boxes, 2) if meet(one, other)]
 
 
@@ -81,7 +81,7 @@ def test_a_motor_that_feeds_a_stage_from_its_own_shaft_stands_before_it() -> Non
 @pytest.mark.parametrize("name", NAMES)
 def test_a_train_without_any_sizing_is_drawn_with_all_its_names(designs, name) -> None:
     train = designs[name].train
-    written = {words.text for words in schematic_figure(train).axes[0].of(Words)}
+    written = {words.text for words in schematic_figure(train).axes[0].of(TextMark)}
     assert set(train.machines) | set(train.machines.values()) <= written
 
 
@@ -108,7 +108,7 @@ def test_parallel_layshafts_mirror_each_other_and_the_drawing_says_that_it_is_no
     assert layout.heights["left"] == pytest.approx(-layout.heights["right"])
     assert layout.heights["input"] == pytest.approx(layout.heights["output"])
     assert not layout.exact
-    written = " ".join(words.text for words in schematic_figure(designs["off-set"]).axes[0].of(Words))
+    written = " ".join(words.text for words in schematic_figure(designs["off-set"]).axes[0].of(TextMark))
     assert "not to one scale" in written
 
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from gearwright.sizing.rating import rating_of
-from gearwright.sizing.teeth.candidates import Front, Task, admissible, planet_counts
+from gearwright.sizing.teeth.candidates import Front, StageTask, admissible, planet_counts
 from gearwright.sizing.teeth.criteria import weigh
 from gearwright.sizing.teeth.search import STEP, Branch, _branch, _of_variant, branches_of, rest_of
 from gearwright.sizing.teeth.stage import tooth_ratio
@@ -41,7 +41,7 @@ def task_of(name, design=DESIGN):
     """Return a stage of the search at its nominal torque and speed."""
     edge = edge_of(name, design)
     speed = targets(design).speeds[edge.fast[0]]
-    return Task(name, design.pairs[name], edge, name, rating_of(design, name), TORQUES[name], speed, speed)
+    return StageTask(name, design.pairs[name], edge, name, rating_of(design, name), TORQUES[name], speed, speed)
 
 
 def weight(name, speed, design=DESIGN):
@@ -197,7 +197,7 @@ def test_a_free_set_weighs_at_the_least_what_its_lightest_teeth_and_planets_do(p
     design = parse(text.replace('shafts = ["fast", "second", "third", "slow"]', 'shafts = ["fast", "slow"]'))
     edge, nominal = edge_of("only", design), targets(design)
     speed = nominal.speeds["fast"]
-    task = Task("only", design.planetaries["only"], edge, "only", rating_of(design, "only"), 100.0, speed, speed)
+    task = StageTask("only", design.planetaries["only"], edge, "only", rating_of(design, "only"), 100.0, speed, speed)
     branch = _branch(task, "fast", design, nominal, [])
     for step in (200, 280):
         ends = [speed * math.exp(STEP * (place - 280)) for place in (step, step + 1)]

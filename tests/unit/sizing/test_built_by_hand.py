@@ -15,13 +15,21 @@ from gearwright.parts.shaft_fatigue import Shoulder
 from gearwright.sizing import ShaftPlan, size
 from gearwright.sizing.loads import ShaftForces
 from gearwright.sizing.rating import context_of
-from gearwright.sizing.shafts.building import Task, items_on, seat_of
-from gearwright.sizing.shafts.sections import Seat, Section, Strength, keyway_depth, sections_of, size_joint, strengths
+from gearwright.sizing.shafts.building import ShaftTask, items_on, seat_of
+from gearwright.sizing.shafts.sections import (
+    JointSeat,
+    Section,
+    Strength,
+    keyway_depth,
+    sections_of,
+    size_joint,
+    strengths,
+)
 from gearwright.sizing.shafts.stretches import (
     BEARING_SLOPES,
     GEAR_SLOPE,
-    Item,
-    Stretch,
+    SeatedPart,
+    ShaftStretch,
     Wanted,
     bend,
     lay,
@@ -56,7 +64,7 @@ def laid(items, needed, *, length=0.2, fixed=None, core=None, rings=None):
     return [(stretch.name, pytest.approx(1e3 * stretch.diameter)) for stretch in stretches], asked, stretches
 
 
-A, B = Item("a", "bearing", 0.03, 0.016), Item("b", "bearing", 0.17, 0.016)
+A, B = SeatedPart("a", "bearing", 0.03, 0.016), SeatedPart("b", "bearing", 0.17, 0.016)
 RINGS = {"a": ring(0.040, 0.080), "b": ring(0.045, 0.085)}
 
 
@@ -83,11 +91,11 @@ def test_a_plain_shaft_is_a_neck_between_the_shoulders_of_its_bearings():
 
 def test_of_two_free_stretches_the_longer_one_is_the_thickest_place():
     """A third bearing parts the shaft between the radial ones; it is slid on over the thinner side."""
-    third = Item("c", "bearing", 0.13, 0.016)
+    third = SeatedPart("c", "bearing", 0.13, 0.016)
     rings = {**RINGS, "c": ring(0.046, 0.080)}
     found, _, _ = laid([A, third, B], {"after a": 0.0551}, rings=rings)
     assert dict(found)["after a"] == 56.0 and dict(found)["c"] == 46.0
-    early = Item("c", "bearing", 0.07, 0.016)
+    early = SeatedPart("c", "bearing", 0.07, 0.016)
     rings = {**RINGS, "c": ring(0.041, 0.080)}
     found, _, _ = laid([A, early, B], {"after c": 0.0551}, rings=rings)
     assert dict(found)["after c"] == 56.0
@@ -104,13 +112,13 @@ def test_bearings_are_asked_for_what_must_pass_through_them():
 
 def test_a_hub_between_the_bearings_leans_on_a_collar_on_its_longer_side():
     """A collar is 1.15 of the seat, at least the shoulder of the bearing beyond it; the other side stays as it is."""
-    hub = Item("hub", "hub", 0.08, 0.04)
+    hub = SeatedPart("hub", "hub", 0.08, 0.04)
     found, _, _ = laid([A, hub, B], {"hub": 0.0502}, rings=RINGS)
     assert found == [
         ("after", 40.0), ("a", 40.0), ("after a", 47.0), ("hub", 51.0), ("after hub", 59.0), ("b", 45.0),
         ("after b", 45.0),
     ]  # fmt: skip
-    early = Item("hub", "hub", 0.13, 0.04)
+    early = SeatedPart("hub", "hub", 0.13, 0.04)
     found, _, _ = laid([A, early, B], {"hub": 0.0502}, rings=RINGS)
     assert found[2] == ("after a", 59.0) and found[4] == ("after hub", 45.0)
     thin, _, _ = laid([A, hub, B], {}, rings=RINGS)
@@ -118,13 +126,13 @@ def test_a_hub_between_the_bearings_leans_on_a_collar_on_its_longer_side():
 
 
 def test_a_hub_that_fills_all_between_its_bearings_has_no_collar():
-    hub = Item("hub", "hub", 0.1, 0.124)
+    hub = SeatedPart("hub", "hub", 0.1, 0.124)
     found, _, _ = laid([A, hub, B], {"hub": 0.0502}, rings=RINGS)
     assert found == [("after", 40.0), ("a", 40.0), ("hub", 51.0), ("b", 45.0), ("after b", 45.0)]
 
 
 def test_the_hub_that_needs_most_is_the_thickest_place():
-    first, second = Item("first", "hub", 0.07, 0.03), Item("second", "hub", 0.13, 0.03)
+    first, second = SeatedPart("first", "hub", 0.07, 0.03), SeatedPart("second", "hub", 0.13, 0.03)
     found, _, _ = laid([A, first, second, B], {"first": 0.055, "second": 0.05}, rings=RINGS)
     by_name = dict(found)
     assert by_name["first"] == 55.0 and by_name["second"] == 50.0
@@ -134,10 +142,10 @@ def test_the_hub_that_needs_most_is_the_thickest_place():
 
 def test_a_gear_of_one_piece_counts_with_half_more_than_the_shaft_beside_it():
     """Its body stiffens up to 1.5 of the shaft, or its root circle; what is beside it grows, the gear does not."""
-    gear = Item("gear", "integral", 0.1, 0.05, 0.09)
+    gear = SeatedPart("gear", "integral", 0.1, 0.05, 0.09)
     found, _, _ = laid([A, gear, B], {"gear": 0.041}, rings=RINGS)
     assert dict(found)["gear"] == 1.5 * 45.0
-    small = Item("gear", "integral", 0.1, 0.05, 0.058)
+    small = SeatedPart("gear", "integral", 0.1, 0.05, 0.058)
     found, asked, _ = laid([A, small, B], {}, rings=RINGS)
     assert dict(found)["gear"] == 58.0 and asked["a"] == (0.0, 0.058)
     assert dict(found)["after a"] == 47.0 and dict(found)["after gear"] == 52.0
@@ -149,9 +157,9 @@ def test_a_gear_of_one_piece_counts_with_half_more_than_the_shaft_beside_it():
 
 def test_nothing_can_be_slid_between_two_gears_of_one_piece():
     gears = [
-        Item("g", "integral", 0.06, 0.02, 0.09),
-        Item("hub", "hub", 0.1, 0.02),
-        Item("h", "integral", 0.14, 0.02, 0.09),
+        SeatedPart("g", "integral", 0.06, 0.02, 0.09),
+        SeatedPart("hub", "hub", 0.1, 0.02),
+        SeatedPart("h", "integral", 0.14, 0.02, 0.09),
     ]
     with pytest.raises(DesignError, match=r"joints\.hub: it lies between gears of one piece"):
         laid([A, *gears, B], {}, rings=RINGS)
@@ -175,11 +183,11 @@ def test_every_step_hub_and_load_is_a_section():
     """Steps below 0.98; the fillet is the bearing's, or its share of the thinner side, at least 0.03 of the step; a hub
     at both ends, in its middle and at each load inside; loads elsewhere on the stretch that they stand on."""
     stretches = [
-        Stretch("after", "between", 0.0, 0.02, 0.030),
-        Stretch("a", "bearing", 0.02, 0.04, 0.040, 0.047, 0.001),
-        Stretch("after a", "between", 0.04, 0.06, 0.0405),
-        Stretch("hub", "hub", 0.06, 0.10, 0.050),
-        Stretch("after hub", "between", 0.10, 0.12, 0.090),
+        ShaftStretch("after", "between", 0.0, 0.02, 0.030),
+        ShaftStretch("a", "bearing", 0.02, 0.04, 0.040, 0.047, 0.001),
+        ShaftStretch("after a", "between", 0.04, 0.06, 0.0405),
+        ShaftStretch("hub", "hub", 0.06, 0.10, 0.050),
+        ShaftStretch("after hub", "between", 0.10, 0.12, 0.090),
     ]
     forces = forces_of([0.0, 0.03, 0.07, 0.12], [0.0, 10.0, 5.0, 0.0], [0.0, 1.0, 1.0, 0.0], {"m": 0.11, "n": 0.0})
     stations = [0.0, 0.03, 0.07, 0.12]
@@ -195,7 +203,10 @@ def test_every_step_hub_and_load_is_a_section():
     assert {section.diameter for section in found if section.hub == "spline"} == {0.046}
     fillets = [section.shoulder.radius for section in found if section.shoulder is not None]
     assert fillets == pytest.approx([0.02 * 0.030, 0.02 * 0.0405, 0.02 * 0.05])
-    steep = [Stretch("a", "bearing", 0.0, 0.1, 0.040, 0.0, 1e-4), Stretch("after a", "between", 0.1, 0.2, 0.060)]
+    steep = [
+        ShaftStretch("a", "bearing", 0.0, 0.1, 0.040, 0.0, 1e-4),
+        ShaftStretch("after a", "between", 0.1, 0.2, 0.060),
+    ]
     idle = forces_of([0.0, 0.2], [0.0, 0.0], [0.0, 0.0], {"m": 0.0})
     found = sections_of(steep, idle, {}, {}, stations=[0.0, 0.2], rules=rules)
     (only,) = [section for section in found if section.shoulder is not None]
@@ -268,8 +279,8 @@ def test_a_thicker_blank_is_weaker_by_din_743():
 
 def test_a_built_shaft_is_bent_as_its_beam():
     """A uniform shaft in two bearings under a force in its middle: F L³/48 E I, slopes F L²/16 E I; over its limits."""
-    stretches = [Stretch("a", "bearing", 0.0, 0.01, 0.04), Stretch("g", "integral", 0.01, 0.39, 0.04),
-                 Stretch("b", "bearing", 0.39, 0.4, 0.04)]  # fmt: skip
+    stretches = [ShaftStretch("a", "bearing", 0.0, 0.01, 0.04), ShaftStretch("g", "integral", 0.01, 0.39, 0.04),
+                 ShaftStretch("b", "bearing", 0.39, 0.4, 0.04)]  # fmt: skip
     position = [0.0, 0.2, 0.4]
     forces = forces_of(position, [0.0, 100.0, 0.0], [0.0, 0.0, 0.0])
     bent = bend(forces, stretches, STEEL, bore=0.02)
@@ -308,7 +319,7 @@ def task_of(text, name):
     borne = {place: gears[place] for place in plan.places if place in gears}
     joints = {gear: given.design.joints.get(gear, Joint(kind="integral")) for gear in borne}
     joints |= {part: joint for part, joint in given.design.joints.items() if part in plan.places}
-    return Task(given, name, forces, STEEL, borne, None, joints), sizing
+    return ShaftTask(given, name, forces, STEEL, borne, None, joints), sizing
 
 
 def test_what_sits_on_a_shaft_has_its_place_and_its_width():
@@ -405,7 +416,7 @@ def weight(sizing):
 
 
 def test_a_key_cuts_into_its_hub_and_a_gear_keeps_what_is_left():
-    seat = Seat("g.wheel", "s", 0.1, hub_length=0.07, root=0.09, torque=300.0, bore=0.0, tooth=0.005)
+    seat = JointSeat("g.wheel", "s", 0.1, hub_length=0.07, root=0.09, torque=300.0, bore=0.0, tooth=0.005)
     for kind, cut in (("key", 0.0038), ("spline", 0.0)):
         joint = Joint(kind=kind)
         assert keyway_depth(joint, 0.05) == cut

@@ -13,7 +13,7 @@ from gearwright.parts.gears import ToothShift
 from gearwright.parts.planetary import _least_gap
 from gearwright.sizing import size
 from gearwright.sizing.rating import rating_of
-from gearwright.sizing.teeth.candidates import Ban, Front, Task, admissible, fewest_teeth
+from gearwright.sizing.teeth.candidates import Ban, Front, StageTask, admissible, fewest_teeth
 from gearwright.sizing.teeth.criteria import _distinct, weigh
 from gearwright.sizing.teeth.stage import weighed_front
 from gearwright.spec import parse
@@ -36,7 +36,7 @@ def task_of(name, text):
     edge = edge_of(name, design)
     speed = targets(design).speeds[edge.fast[0]]
     stage = design.simple_stages[name]
-    return Task(name, stage, edge, name, rating_of(design, name), 100.0, speed, speed), design
+    return StageTask(name, stage, edge, name, rating_of(design, name), 100.0, speed, speed), design
 
 
 def test_a_wheel_that_is_shifted_outwards_may_have_fewer_teeth():

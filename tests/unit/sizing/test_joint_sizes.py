@@ -12,7 +12,7 @@ from gearwright.render.drawings.shaft_view import shaft_body
 from gearwright.sizing.rating import STANDARD_MODULES
 from gearwright.sizing.shaft_results import hub_bore_of
 from gearwright.sizing.shafts.sections import (
-    Seat,
+    JointSeat,
     joint_fits,
     keyway_depth,
     refuse_long,
@@ -26,7 +26,7 @@ from shipped_work import sized
 STEEL = materials()["carburised-9310"]
 D = 0.050
 """Shaft [m]: key 14 x 9, t_1 = 5.5, t_2 = 3.8 mm."""
-SEAT = Seat("stage.wheel", "output", 0.1, hub_length=0.07, root=0.11, torque=700.0, bore=0.02, tooth=0.0055)
+SEAT = JointSeat("stage.wheel", "output", 0.1, hub_length=0.07, root=0.11, torque=700.0, bore=0.02, tooth=0.0055)
 
 
 def flank(torque, pressure):

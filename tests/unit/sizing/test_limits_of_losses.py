@@ -6,7 +6,7 @@ import pytest
 
 from designs import PAIR
 from gearwright.particulars import particulars
-from gearwright.parts.losses import MeshDuty, MeshLaw, OilState, load_intensity, seal_oil_factor, tooth_contact
+from gearwright.parts.losses import LossDuty, MeshLaw, OilState, load_intensity, seal_oil_factor, tooth_contact
 from gearwright.render.tables.sizing import loss_tables
 from gearwright.shipped import shipped_design
 from gearwright.sizing import Sizing, size
@@ -19,9 +19,9 @@ OIL = OilState(8e-3, 950.0, 0.4e-6)
 FIRST = MeshLaw.ISO_TR_14179_1
 
 
-def duty(velocity: float, intensity: float = 5e6) -> MeshDuty:
+def duty(velocity: float, intensity: float = 5e6) -> LossDuty:
     """Return a duty of the asked load intensity K, which is proportional to the line load [m/s, Pa]."""
-    return MeshDuty(intensity / load_intensity(SPUR, 1.0), 0.04, velocity)
+    return LossDuty(intensity / load_intensity(SPUR, 1.0), 0.04, velocity)
 
 
 @pytest.mark.parametrize(
@@ -40,7 +40,7 @@ def test_load_intensities_beyond_part_one_are_told(intensity, words):
 
 def test_a_mesh_that_stands_or_idles_is_at_no_limit():
     assert mesh_limits(SPUR, duty(0.0), OIL, FIRST, "cylindrical") == ""
-    assert mesh_limits(SPUR, MeshDuty(0.0, 0.04, 10.0), OIL, FIRST, "cylindrical") == ""
+    assert mesh_limits(SPUR, LossDuty(0.0, 0.04, 10.0), OIL, FIRST, "cylindrical") == ""
 
 
 def test_a_law_of_spur_gears_says_so_of_helical_ones():

@@ -12,7 +12,7 @@ from gearwright.sizing.rating import rating_of
 from gearwright.sizing.teeth.candidates import (
     Front,
     Reach,
-    Task,
+    StageTask,
     admissible,
     all_candidates,
     candidates,
@@ -31,7 +31,7 @@ RULES = "[teeth]\nsun_minimum = 20\nsun_maximum = 24\nplanet_minimum = 17\npinio
 def task_of(design, name):
     """Return a stage as the search sees it, without load."""
     rating = rating_of(design, name)
-    return Task(name, design.stages[name], edge_of(name, design), name, rating, 0.0, 1.0, 1.0)
+    return StageTask(name, design.stages[name], edge_of(name, design), name, rating, 0.0, 1.0, 1.0)
 
 
 def listed(found):

@@ -2,6 +2,7 @@
 
 import json
 import re
+from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
 from types import MappingProxyType
@@ -18,12 +19,13 @@ from gearwright.dynamics import Modes
 from gearwright.dynamics.sharing import sharing_problem, sharing_study
 from gearwright.dynamics.vibration import campbell
 from gearwright.errors import DesignError
-from gearwright.former_names import _moved
+from gearwright.former_names import _moved, _renamed
 from gearwright.identity import Kind, PartId, Role
 from gearwright.mission import bearing_lives, durability, fly, gear_damage, phase_summaries
 from gearwright.parts.iso6336 import StressBin
 from gearwright.reviews import review
 from gearwright.shipped import shipped_mission
+from gearwright.sizing.bearing_arrangement import BearingPair
 from gearwright.spec import parse_study, read_mission
 from gearwright.store import KIND, VERSION, decoded, encoded
 from gearwright.study.running import run
@@ -254,3 +256,18 @@ def test_a_file_that_names_former_modules_is_loaded():
 def test_every_former_module_has_its_place():
     for module, now in _moved().items():
         assert find_spec(f"gearwright.{now}"), module
+
+
+def test_every_former_name_of_a_record_has_its_record():
+    for former, now in _renamed().items():
+        module, _, name = former.partition(":")
+        assert isinstance(vars(import_module(f"gearwright.{module}"))[now], type), former
+        assert name not in vars(import_module(f"gearwright.{module}")), former
+
+
+def test_a_record_by_its_former_name_is_loaded():
+    """As it was saved when another record of its layer had the same name."""
+    value = BearingPair(("6204", "6205"), ("6206", "6207"), "first")
+    saved = json.dumps(encoded(value)).replace(":BearingPair", ":Option")
+    assert "sizing.bearing_arrangement:Option" in saved
+    assert decoded(json.loads(saved)) == value

@@ -9,7 +9,7 @@ from gearwright.catalogue import propeller_map
 from gearwright.dynamics import Model, simulate, statics
 from gearwright.dynamics.model import ClutchDrive, MachineDrive, PropellerDrive
 from gearwright.machines import Governor, GovernorState, Rotor, coefficients, limit_cycle
-from gearwright.mission.windows import Trim, governed_window
+from gearwright.mission.windows import PropellerTrim, governed_window
 from governed_rotor import governed_response
 
 PITCH, SPEED, DIAMETER, DENSITY, AIRSPEED = math.radians(42.3), 126.9, 3.93, 0.549, 161.0
@@ -73,7 +73,7 @@ def test_the_thesis_gain_on_a_second_order_actuator_limit_cycles_on_an_elastic_t
     system, start = governed(governor, command=0.9)
     trace = simulate(system, 10.0, start=start)
     found = limit_cycle(trace.samples.time, trace.samples.drive("propeller speed"))
-    trim = Trim(CHART, DENSITY, AIRSPEED, DIAMETER, SPEED, PITCH, INERTIA)
+    trim = PropellerTrim(CHART, DENSITY, AIRSPEED, DIAMETER, SPEED, PITCH, INERTIA)
     rigid = governed_window(trim, governor, duration=10.0, torque_step=-0.1).limit_cycle
     assert found is not None
     assert rigid is not None

@@ -46,7 +46,7 @@ from gearwright.train import Damper, Joint, PowerFlow
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-class Rotor(NamedTuple):
+class TurningBody(NamedTuple):
     """What turns."""
 
     inertia: float
@@ -71,7 +71,7 @@ class Assembly:
     """Gets bodies, lines and loads."""
     members: dict[str, list[str]] = field(default_factory=dict)
     """Shaft -> bodies on it, in order."""
-    rotors: dict[str, Rotor] = field(default_factory=dict)
+    rotors: dict[str, TurningBody] = field(default_factory=dict)
     """Body -> its inertia and speed."""
     phases: dict[str, dict[str, tuple[float, ...]]] = field(default_factory=dict)
     """Compound set -> phases of its meshes, once they are known."""
@@ -129,7 +129,7 @@ class Assembly:
         """
         if shaft != GROUND:
             name = f"{body} hub" if body.kind is Kind.SHAFT else str(body)
-            self.rotors[name] = Rotor(inertia, self.flow.speeds[shaft], body)
+            self.rotors[name] = TurningBody(inertia, self.flow.speeds[shaft], body)
             self.members.setdefault(shaft, []).append(name)
 
     def seat(self, machine: MachineSizing) -> str:
@@ -168,7 +168,7 @@ def add_bodies(assembly: Assembly) -> None:
     for sized in sizing.shafts:
         _share_shaft(assembly, sized)
     for machine in assembly.turning_machines:
-        assembly.rotors[machine.name] = Rotor(
+        assembly.rotors[machine.name] = TurningBody(
             machine.inertia, speeds[machine.shaft], PartId(Kind.MACHINE, machine.name)
         )
 
@@ -185,7 +185,7 @@ def _add_set(assembly: Assembly, name: str) -> None:
     assembly.put(gears[Role.RING].part, planetary.ring, gears[Role.RING].inertia)
     for number in range(1, planetary.planets + 1):
         body = gear_part(name, Role.PLANET, number=number)
-        assembly.rotors[str(body)] = Rotor(planet.turning_inertia, assembly.flow.speeds[planet.name], body)
+        assembly.rotors[str(body)] = TurningBody(planet.turning_inertia, assembly.flow.speeds[planet.name], body)
 
 
 def _add_compound(assembly: Assembly, name: str) -> None:
@@ -198,7 +198,7 @@ def _add_compound(assembly: Assembly, name: str) -> None:
     carried = sum(planet.mass * abs(planet.place) ** 2 for planet in planets)
     assembly.put(carrier.part, epicyclic.carrier, carrier.inertia + carried)
     for planet in planets:
-        assembly.rotors[str(planet.part)] = Rotor(planet.inertia, assembly.flow.speeds[planet.node], planet.part)
+        assembly.rotors[str(planet.part)] = TurningBody(planet.inertia, assembly.flow.speeds[planet.node], planet.part)
 
 
 def _share_shaft(assembly: Assembly, shaft: ShaftSizing) -> None:

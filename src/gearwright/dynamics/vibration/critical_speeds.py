@@ -72,7 +72,7 @@ FACTORS = tuple(np.linspace(0.1, 1.5, 29))
 
 
 @dataclass(frozen=True)
-class Order:
+class OrderLine:
     """An excitation whose frequency is proportional to speed."""
 
     tone: Tone
@@ -90,7 +90,7 @@ class Order:
 class Crossing:
     """A speed at which an order meets a natural frequency."""
 
-    order: Order
+    order: OrderLine
     """What excites."""
     mode: int
     """Which mode, counted along the diagram's columns."""
@@ -113,7 +113,7 @@ class Campbell(Shown):
     whirl: Floats
     """How far gyroscopic terms raise each frequency, dω/ω over dΩ/Ω [-], shape (speeds, modes): positive for forward
     whirl, negative for backward whirl, zero for modes that do not turn."""
-    orders: tuple[Order, ...]
+    orders: tuple[OrderLine, ...]
     """What excites."""
     crossings: tuple[Crossing, ...]
     """Every meeting within the range of speeds, by rising speed."""
@@ -123,7 +123,7 @@ class Campbell(Shown):
         modes = {f"mode {number}": (column, "Hz") for number, column in enumerate(self.frequency.T, start=1)}
         return frame({"factor": (self.factor, "1"), **modes}, "factor")
 
-    def margins(self, factor: float = 1.0) -> list[tuple[float, Order, int]]:
+    def margins(self, factor: float = 1.0) -> list[tuple[float, OrderLine, int]]:
         """Return for each mode its nearest order at one speed: (relative distance, order, mode), nearest first.
 
         Args:
@@ -212,27 +212,27 @@ def _pairing(mass: Floats, before: DampedModes, after: DampedModes) -> list[int]
     return [int(place) for place in best]
 
 
-def _orders(system: System) -> Iterator[Order]:
+def _orders(system: System) -> Iterator[OrderLine]:
     """Yield every tone that turns, every order of machines and teeth, and the speeds of shafts that neither has."""
     arrays, labels, seen = system.arrays, system.labels, list[float]()
     used = np.unique(np.concatenate([arrays.variation.tone, arrays.error.tone])).astype(int)
     for tone, rate in ((labels.tones[place], float(arrays.tone_rate[place])) for place in used):
-        yield from _new(Order(tone, abs(rate) / (2.0 * np.pi)), seen)
-    stated = [Order(Tone(()), order.rate / (2.0 * np.pi), order) for order in labels.orders if order.rate > 0.0]
+        yield from _new(OrderLine(tone, abs(rate) / (2.0 * np.pi)), seen)
+    stated = [OrderLine(Tone(()), order.rate / (2.0 * np.pi), order) for order in labels.orders if order.rate > 0.0]
     yield from stated
     seen += [order.frequency for order in stated]
     for name, speed in zip(labels.coordinates, arrays.speed, strict=True):
-        yield from _new(Order(Tone(((name, 1),)), abs(float(speed)) / (2.0 * np.pi)), seen)
+        yield from _new(OrderLine(Tone(((name, 1),)), abs(float(speed)) / (2.0 * np.pi)), seen)
 
 
-def _new(order: Order, seen: list[float]) -> Iterator[Order]:
+def _new(order: OrderLine, seen: list[float]) -> Iterator[OrderLine]:
     """Yield an order that turns, unless one of its frequency was seen before."""
     if order.frequency > 0.0 and not any(abs(order.frequency - known) < 1e-9 * order.frequency for known in seen):
         seen.append(order.frequency)
         yield order
 
 
-def _crossings(factor: Floats, frequency: Floats, orders: Sequence[Order]) -> Iterator[Crossing]:
+def _crossings(factor: Floats, frequency: Floats, orders: Sequence[OrderLine]) -> Iterator[Crossing]:
     for order in orders:
         gap = order.frequency * factor - frequency.T
         for mode, i in np.argwhere(np.sign(gap[:, :-1]) * np.sign(gap[:, 1:]) < 0.0).tolist():
@@ -526,14 +526,14 @@ def _speed_case(sizing: Sizing, cases: list[str], factors: Sequence[float]) -> S
     return SpeedCase(", ".join(cases), cases[0], systems[0], diagram, stated, assumed)
 
 
-def _criterion(sizing: Sizing, order: Order) -> Criterion | None:
+def _criterion(sizing: Sizing, order: OrderLine) -> Criterion | None:
     """Return what an order is held against; one that comes less than once in a turn of its shafts has nothing."""
     if order.excitation is None:
         return RESONANCE if order_name(sizing, order.tone).stage else SEPARATION
     return SEPARATION if all(times == round(times) for _, times in order.excitation.turns) else None
 
 
-def _words(sizing: Sizing, order: Order) -> str:
+def _words(sizing: Sizing, order: OrderLine) -> str:
     return str(order_name(sizing, order.tone)) if order.excitation is None else order.excitation.name
 
 
@@ -616,7 +616,7 @@ class Shaker:
         self.carrying = meshes & (mean > UNLOADED * np.max(mean[meshes], initial=0.0))
         stretched = (arrays.stiffness[:, None] * self.matrix)[self.carrying]
         self.forces = stretched / mean[self.carrying][:, None]  # of meshes that carry over their mean, by motions
-        self.pushes: dict[Order, Complexes] = {}
+        self.pushes: dict[OrderLine, Complexes] = {}
         self.resonances: dict[tuple[float, float], _Resonance] = {}
         self.matrices: dict[float, Linear] = {}
         self.changes = bool(len(arrays.gyroscopic.value) or np.any(arrays.loads.quadratic))
@@ -659,7 +659,7 @@ class Shaker:
         moved = resonant / (2.0 * np.mean(np.abs(modes.rate[near].real)) * rate)
         return _Resonance(shares, self.forces @ moved)
 
-    def _push(self, order: Order) -> Complexes:
+    def _push(self, order: OrderLine) -> Complexes:
         """Return the complex amplitude with which an order pushes each coordinate [N or N m]."""
         if order.excitation is None:
             return np.asarray(self.matrix.T @ _exciting(self.system, order.tone, self.mean))

@@ -48,7 +48,7 @@ from gearwright.parts.losses import oil_viscosity
 from gearwright.sizing.airscrew_loads import usual_thrust
 from gearwright.sizing.arrangement import axial_forces
 from gearwright.sizing.bearing_seats import Seat, bearing_seats, seat_forces
-from gearwright.sizing.bearings import Fitted, fitted_in, highest_speed_factor, oiled_life
+from gearwright.sizing.bearings import SeatedBearing, fitted_in, highest_speed_factor, oiled_life
 from gearwright.spec import BearingLifeRules
 from gearwright.spec.checks import KINDS
 
@@ -341,10 +341,12 @@ def bearing_lives(flight: Flight, *, chosen: Mapping[str, Bearing] | None = None
     return BearingLives(tuple(largest_first(rows, lambda row: row.damage)), tuple(notes), (*opened, *failed), loose)
 
 
-def _known(flight: Flight, seat: Seat, duty: SeatDuty, named: Fitted | None, taken: Bearing | None) -> BearingDamage:
+def _known(
+    flight: Flight, seat: Seat, duty: SeatDuty, named: SeatedBearing | None, taken: Bearing | None
+) -> BearingDamage:
     rules = flight.mission.bearings
     if named is None and taken is not None:
-        return _asked_of(flight, seat, duty, Fitted(taken, cast(BearingLifeRules, rules).side_by_side))
+        return _asked_of(flight, seat, duty, SeatedBearing(taken, cast(BearingLifeRules, rules).side_by_side))
     if named is None:
         return _chosen(flight, seat, duty, cast(BearingLifeRules, rules))
     chosen, fits = named.bearing, seat.given is not None
@@ -356,7 +358,7 @@ def _known(flight: Flight, seat: Seat, duty: SeatDuty, named: Fitted | None, tak
         )
         raise DesignError([Problem("designation", message)])
     reliability = rules.reliability if rules else USUAL_RELIABILITY
-    return _lived(flight, seat, duty, Fitted(chosen, named.side_by_side), reliability=reliability)
+    return _lived(flight, seat, duty, SeatedBearing(chosen, named.side_by_side), reliability=reliability)
 
 
 def _chosen(flight: Flight, seat: Seat, duty: SeatDuty, rules: BearingLifeRules) -> BearingDamage:
@@ -387,13 +389,13 @@ def _chosen(flight: Flight, seat: Seat, duty: SeatDuty, rules: BearingLifeRules)
     able = (
         row
         for fitted in near
-        if not (row := _asked_of(flight, seat, duty, Fitted(fitted, rules.side_by_side))).falls_short
+        if not (row := _asked_of(flight, seat, duty, SeatedBearing(fitted, rules.side_by_side))).falls_short
     )
     nearest = largest(sizes, lambda size: min(size.life_margin, size.static_margin)).bearing
-    return next(able, None) or _asked_of(flight, seat, duty, Fitted(nearest, rules.side_by_side))
+    return next(able, None) or _asked_of(flight, seat, duty, SeatedBearing(nearest, rules.side_by_side))
 
 
-def _asked_of(flight: Flight, seat: Seat, duty: SeatDuty, fitted: Fitted) -> BearingDamage:
+def _asked_of(flight: Flight, seat: Seat, duty: SeatDuty, fitted: SeatedBearing) -> BearingDamage:
     """Return the damage of a bearing with what the mission asks of it."""
     rules = cast(BearingLifeRules, flight.mission.bearings)
     lived = _lived(flight, seat, duty, fitted, reliability=rules.reliability)
@@ -414,7 +416,7 @@ def _steady(duty: SeatDuty, kind: BearingKind) -> tuple[float, float, float]:
     return radial, axial, float(turns.sum() / duty.time.sum())
 
 
-def _lived(flight: Flight, seat: Seat, duty: SeatDuty, fitted: Fitted, *, reliability: float) -> BearingDamage:
+def _lived(flight: Flight, seat: Seat, duty: SeatDuty, fitted: SeatedBearing, *, reliability: float) -> BearingDamage:
     """Return the damage of a bearing, for bearings side by side and a reliability."""
     flown, taken = float(duty.time.sum()), fitted.bearing
     spectrum = _spectrum(duty, fitted)
@@ -435,7 +437,7 @@ def _lived(flight: Flight, seat: Seat, duty: SeatDuty, fitted: Fitted, *, reliab
     )
 
 
-def _spectrum(duty: SeatDuty, fitted: Fitted) -> BearingSpectrum:
+def _spectrum(duty: SeatDuty, fitted: SeatedBearing) -> BearingSpectrum:
     flown = float(duty.time.sum())
     return BearingSpectrum(
         radial=tuple(duty.radial.tolist()),
@@ -450,7 +452,7 @@ def _spectrum(duty: SeatDuty, fitted: Fitted) -> BearingSpectrum:
 
 
 def _oiled(
-    flight: Flight, seat: Seat, fitted: Fitted, spectrum: BearingSpectrum, reliability: float
+    flight: Flight, seat: Seat, fitted: SeatedBearing, spectrum: BearingSpectrum, reliability: float
 ) -> ModifiedLife | None:
     """Return the modified life over a flight, where the design asks for it; None where nothing loads the bearing."""
     design = flight.sizing.design

@@ -6,7 +6,7 @@ The quasi-steady flight around them is in `mission`.
 from gearwright.mission.windows.window import (
     BegunWindow,
     DynamicWindow,
-    Trim,
+    PropellerTrim,
     Window,
     begun_window,
     fly_window,
@@ -20,7 +20,7 @@ from gearwright.mission.windows.window import (
 __all__ = [
     "BegunWindow",
     "DynamicWindow",
-    "Trim",
+    "PropellerTrim",
     "Window",
     "begun_window",
     "fly_window",

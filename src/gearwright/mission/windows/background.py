@@ -45,7 +45,7 @@ class Turning(NamedTuple):
     """Power into everything that turns [W]."""
 
 
-class Stage(NamedTuple):
+class GearboxEquilibrium(NamedTuple):
     """The gearbox in equilibrium at one instant, as curves need it."""
 
     torques: Mapping[str, float]
@@ -145,7 +145,9 @@ def background(flight: Flight, rules: WindowRules) -> Background:
     )
 
 
-def _knots(flight: Flight, stages: Mapping[int, Stage], start: float, over: float) -> list[tuple[float, int]]:
+def _knots(
+    flight: Flight, stages: Mapping[int, GearboxEquilibrium], start: float, over: float
+) -> list[tuple[float, int]]:
     """Return (time, interval): middles of intervals, and both ends of what happens between two phases."""
     history, knots = flight.history, list[tuple[float, int]]()
     for k in sorted(stages):
@@ -167,7 +169,7 @@ def _speed_curve(history: History[Floats], seen: NDArray[np.intp], start: float)
     return [*edges, end]
 
 
-def _stage(flight: Flight, gearbox: Gearbox, supply: Supply, k: int) -> Stage:
+def _stage(flight: Flight, gearbox: Gearbox, supply: Supply, k: int) -> GearboxEquilibrium:
     phase = flown_phase(flight, k)
     powers = {name: float(flight.machines[name].power[k]) for name in gearbox.machines}
     return staged(gearbox, supply, phase, powers=powers, turning=turning_at(flight, k))
@@ -194,7 +196,9 @@ def turning_at(flight: Flight, k: int) -> Turning:
     return Turning(float(flight.history.propeller_speed[k]), float(flight.history.spin_up[k]))
 
 
-def changed_stage(back: Background, rules: WindowRules, phase: Phase, powers: Mapping[str, float]) -> Stage:
+def changed_stage(
+    back: Background, rules: WindowRules, phase: Phase, powers: Mapping[str, float]
+) -> GearboxEquilibrium:
     """Return the gearbox in equilibrium with what machines give after a window's event.
 
     Args:
@@ -218,7 +222,9 @@ def changed_stage(back: Background, rules: WindowRules, phase: Phase, powers: Ma
     return staged(back.gearbox, back.supply, phase, powers=powers, turning=turning_at(flight, k))
 
 
-def staged(gearbox: Gearbox, supply: Supply, phase: Phase, *, powers: Mapping[str, float], turning: Turning) -> Stage:
+def staged(
+    gearbox: Gearbox, supply: Supply, phase: Phase, *, powers: Mapping[str, float], turning: Turning
+) -> GearboxEquilibrium:
     """Return the gearbox in equilibrium at an interval's speed, with machines of given powers.
 
     Args:
@@ -244,7 +250,7 @@ def staged(gearbox: Gearbox, supply: Supply, phase: Phase, *, powers: Mapping[st
     torques = {
         name: (power - parts.get(name, 0.0) * lost) / turned[train.machines[name]] for name, power in powers.items()
     }
-    return Stage(torques, _resistances(gearbox, point.mesh_losses[0], turned))
+    return GearboxEquilibrium(torques, _resistances(gearbox, point.mesh_losses[0], turned))
 
 
 def _balanced(gearbox: Gearbox, powers: Floats, speed: Floats, lost: Floats) -> Point:

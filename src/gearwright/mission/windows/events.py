@@ -30,7 +30,7 @@ from gearwright.mission.windows.background import (
     Background,
     Brake,
     Curve,
-    Stage,
+    GearboxEquilibrium,
     blended,
     changed_stage,
     flown_phase,
@@ -299,7 +299,7 @@ def slammed(back: Background, rules: WindowRules) -> Background:
     )
 
 
-def _resisted(back: Background, after: Stage, rules: WindowRules) -> dict[str, Curve]:
+def _resisted(back: Background, after: GearboxEquilibrium, rules: WindowRules) -> dict[str, Curve]:
     """Return what mesh losses take from shafts, while the event leads to another equilibrium."""
     return {shaft: blended(curve, steady(after.resistances[shaft]), rules) for shaft, curve in back.resistances.items()}
 

@@ -57,7 +57,7 @@ _NUDGE = 5e-3
 """Part of the speed, and angle in rad, over which slopes of the map are taken [-]; [rad]"""
 
 
-class Trim(NamedTuple):
+class PropellerTrim(NamedTuple):
     """A propeller in equilibrium at a moment of a flight."""
 
     chart: PropellerMap
@@ -116,7 +116,7 @@ class Window:
 
 
 @verb
-def trim_at(flight: Flight, time: float) -> Trim:
+def trim_at(flight: Flight, time: float) -> PropellerTrim:
     """Return the propeller in equilibrium at a time of a flight.
 
     Args:
@@ -131,7 +131,7 @@ def trim_at(flight: Flight, time: float) -> Trim:
         raise DesignError([Problem("propeller_map", "the mission flies by schedules; a governor needs a map")])
     k = int(np.argmin(np.abs(history.time - time)))
     diameter = flight.sizing.design.airscrews[flown_airscrew(flight.sizing)].diameter
-    return Trim(
+    return PropellerTrim(
         chart=chart_at(flight, k),
         density=float(history.air_density[k]),
         true_airspeed=float(history.true_airspeed[k]),
@@ -160,7 +160,7 @@ def chart_at(flight: Flight, interval: int) -> PropellerMap:
 
 
 @verb
-def rotor_at(trim: Trim) -> Rotor:
+def rotor_at(trim: PropellerTrim) -> Rotor:
     """Return the propeller linear about its equilibrium, driven by a constant torque.
 
     Args:
@@ -178,7 +178,7 @@ def rotor_at(trim: Trim) -> Rotor:
 
 @verb
 def governed_window(
-    trim: Trim, governor: Governor, *, duration: float, torque_step: float = 0.0, speed_step: float = 0.0,
+    trim: PropellerTrim, governor: Governor, *, duration: float, torque_step: float = 0.0, speed_step: float = 0.0,
     step: float = 2e-3,
 ) -> Window:  # fmt: skip
     """Return how propeller and governor answer to a step of the driving torque or of the set speed.
@@ -210,7 +210,7 @@ def governed_window(
     return Window(time, states[:, 0], states[:, 1], torque, limit_cycle(time, states[:, 0]))
 
 
-def _settled_sum(trim: Trim, governor: Governor) -> float:
+def _settled_sum(trim: PropellerTrim, governor: Governor) -> float:
     """The integral with which the governor holds the pitch of the equilibrium."""
     return (governor.reference - trim.pitch) / governor.integral if governor.integral else 0.0
 

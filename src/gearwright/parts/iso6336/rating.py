@@ -42,10 +42,10 @@ from gearwright.parts.iso6336.tooth_strength import (
     SMOOTH,
     BendingRating,
     ContactStrengthFactors,
-    LoadFactors,
     PittingRating,
     RootBody,
     RootStrengthFactors,
+    ToothLoadFactors,
     bending_rating,
     bending_size_factor,
     contact_size_factor,
@@ -83,7 +83,7 @@ class PairRating:
     """K_Hβ, K_Fβ and their misalignment."""
     transverse: TransverseLoadFactor
     """K_Hα, K_Fα."""
-    loads: LoadFactors
+    loads: ToothLoadFactors
     """All K factors."""
     contact_strength: tuple[ContactStrengthFactors, ContactStrengthFactors]
     """Z factors of the strength of pinion and wheel."""
@@ -160,7 +160,7 @@ def rate_mesh(
     dynamic, face, transverse = load_distribution(
         mesh, springs, steels, duty=duty, quality=quality, relief=relief, grade=grade
     )
-    loads = LoadFactors(
+    loads = ToothLoadFactors(
         duty.application_factor,
         duty.mesh_load_factor,
         dynamic.factor,

@@ -33,7 +33,7 @@ PairOf = tuple[Value, Value]
 
 
 @dataclass(frozen=True)
-class LoadFactors:
+class ToothLoadFactors:
     """The five load factors of ISO 6336-1, and the share of parallel paths."""
 
     application: Annotated[Value, Quantity("ratio"), Origin("K_A", "ISO 6336-1:2019, clause 5")] = 1.0
@@ -249,7 +249,7 @@ def pitting_rating(
     steels: tuple[GearSteel, GearSteel],
     tangential_force: Value,
     *,
-    loads: LoadFactors,
+    loads: ToothLoadFactors,
     strengths: tuple[ContactStrengthFactors, ContactStrengthFactors],
     profile_factor: Value = 1.0,
     edition: Edition = Edition.ISO2019,
@@ -711,7 +711,7 @@ def bending_rating(
     steel: GearSteel,
     *,
     specific_load: Value,
-    loads: LoadFactors,
+    loads: ToothLoadFactors,
     strength: RootStrengthFactors,
     body: RootBody = RootBody(),
     section: RootSection | None = None,

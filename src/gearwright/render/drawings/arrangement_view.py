@@ -45,9 +45,9 @@ from gearwright.render.drawings.positions import PLATE_GAP, Lying, Positions
 from gearwright.render.drawings.shaft_view import (
     MM,
     OVERSHOOT,
-    Axis,
     Piece,
     ShaftBody,
+    SheetAxis,
     away_of,
     bevel_profile,
     made_of,
@@ -76,7 +76,7 @@ _FINE = 1.5
 """Between hatching lines [mm]."""
 
 
-def bearing_section(axis: Axis, bearing: Bearing, middle: float, *, opens: float) -> list[Entity]:
+def bearing_section(axis: SheetAxis, bearing: Bearing, middle: float, *, opens: float) -> list[Entity]:
     """Return a bearing in section, both halves.
 
     Args:
@@ -93,7 +93,7 @@ def bearing_section(axis: Axis, bearing: Bearing, middle: float, *, opens: float
     return entities
 
 
-def _placed(axis: Axis, part: Entity, middle: float, side: float) -> Iterator[Entity]:
+def _placed(axis: SheetAxis, part: Entity, middle: float, side: float) -> Iterator[Entity]:
     """Yield a part of the upper half, about the middle of the bearing in mm, on its shaft."""
 
     def at(point: complex) -> complex:
@@ -199,7 +199,7 @@ SPRING, SPRING_RADIUS = (0.68, 0.34), 0.1
 """Middle and radius of its spring, likewise."""
 
 
-def holder_section(axis: Axis, holder: Holder) -> list[Entity]:
+def holder_section(axis: SheetAxis, holder: Holder) -> list[Entity]:
     """Return a part in section, both halves.
 
     Args:
@@ -234,7 +234,7 @@ def _seal(holder: Holder) -> tuple[list[complex], tuple[complex, float]]:
     return [at(*point) for point in SEAL], (at(*SPRING), SPRING_RADIUS * (high - low))
 
 
-def holder_anchor(axis: Axis, holder: Holder) -> complex:
+def holder_anchor(axis: SheetAxis, holder: Holder) -> complex:
     """Return where the item number of a part points.
 
     Args:
@@ -275,14 +275,14 @@ class Item:
     """Where its number points [mm of paper]."""
 
 
-def axis_of(lying: Lying, scale: float) -> Axis:
+def axis_of(lying: Lying, scale: float) -> SheetAxis:
     """Return where a shaft lies on the sheet.
 
     Args:
         lying: In the plane.
         scale: mm of paper per mm [-].
     """
-    return Axis(scale * lying.origin, lying.along, scale)
+    return SheetAxis(scale * lying.origin, lying.along, scale)
 
 
 def shaft_parts(sizing: Sizing, plane: Positions, name: str, scale: float) -> tuple[list[Entity], list[Item]]:
@@ -348,14 +348,16 @@ def _drawn_bodies(sizing: Sizing, body: ShaftBody) -> list[ShaftBody]:
     return [ShaftBody(body.name, steps, body.bore) for steps in pieces if steps[0].diameter > 0.0]
 
 
-def _free(axis: Axis, body: ShaftBody) -> complex:
+def _free(axis: SheetAxis, body: ShaftBody) -> complex:
     """Return a point of a shaft where nothing sits on it, or that of its longest piece."""
     free = [piece for piece in body.pieces if not piece.seat] or list(body.pieces)
     longest = largest(free, lambda piece: piece.end - piece.start)
     return axis.at(longest.start + 0.3 * (longest.end - longest.start), 0.3 * longest.diameter)
 
 
-def gear_parts(sizing: Sizing, gear: GearSizing, axis: Axis, *, shaft: str, middle: float, lean: float) -> list[Entity]:
+def gear_parts(
+    sizing: Sizing, gear: GearSizing, axis: SheetAxis, *, shaft: str, middle: float, lean: float
+) -> list[Entity]:
     """Return a gear in section on its shaft.
 
     Args:
@@ -369,10 +371,10 @@ def gear_parts(sizing: Sizing, gear: GearSizing, axis: Axis, *, shaft: str, midd
     full = hub_of(sizing, gear, shaft)
     hub = Hub(full.bore, boss=full.boss, web=full.web, way=full.way)
     if kind_of(sizing, gear.stage) == "bevel":
-        moved = Axis(axis.at(middle), axis.along, axis.scale)
+        moved = SheetAxis(axis.at(middle), axis.along, axis.scale)
         return bevel_section(moved, bevel_profile(sizing, gear), hub, away=away_of(sizing, gear), lean=lean)
     if is_face_wheel(sizing, gear):
-        moved = Axis(axis.at(middle), axis.along, axis.scale)
+        moved = SheetAxis(axis.at(middle), axis.along, axis.scale)
         return face_section(sizing, gear, hub, moved, toward=toward_pinion(sizing, gear, shaft), lean=lean)
     half = MM * gear.face_width * halves_of(gear) / 2.0
     span = (middle - half, middle + half)
@@ -382,7 +384,7 @@ def gear_parts(sizing: Sizing, gear: GearSizing, axis: Axis, *, shaft: str, midd
     return cylinder_section(axis, teeth, hub, span, lean=lean)
 
 
-def gear_item(sizing: Sizing, gear: GearSizing, axis: Axis, *, shaft: str, middle: float) -> Item:
+def gear_item(sizing: Sizing, gear: GearSizing, axis: SheetAxis, *, shaft: str, middle: float) -> Item:
     """Return the item of a gear.
 
     Args:
@@ -442,7 +444,7 @@ def planetary_parts(
     hub = Hub(full.bore, web=full.web)
     entities: list[Entity] = []
     for up in (1.0, -1.0):
-        pin_axis = Axis(axis.at(0.0, up * MM * carrier.radius), axis.along, scale)
+        pin_axis = SheetAxis(axis.at(0.0, up * MM * carrier.radius), axis.along, scale)
         entities += cylinder_section(
             pin_axis, cylindrical_gear(sizing, planet), hub, (middle - half, middle + half), lean=lean
         )
@@ -452,7 +454,7 @@ def planetary_parts(
     teeth, bore = cylindrical_gear(sizing, planet), max(hub.bore / 2.0, MM * carrier.pin_diameter / 2.0)
     anchor = axis.at(middle - 0.3 * half, MM * carrier.radius + 0.1 * bore + 0.9 * MM * teeth.root_radius)
     for up in (1.0, -1.0):
-        pin_axis = Axis(axis.at(0.0, up * MM * carrier.radius), axis.along, scale)
+        pin_axis = SheetAxis(axis.at(0.0, up * MM * carrier.radius), axis.along, scale)
         entities += _turning(pin_axis, MM * carrier.pin_diameter / 2.0, bore, (middle - half, middle + half))
     items = [
         Item(f"Planet {planet.name}", _toothing(planet), planet.bodies, made_of(sizing).weights[planet.name], anchor)
@@ -486,7 +488,7 @@ def standing_ring(
     return entities, items
 
 
-def _seated(sizing: Sizing, item: Item, seat: RingSeat, axis: Axis, middle: float) -> Iterator[Item]:
+def _seated(sizing: Sizing, item: Item, seat: RingSeat, axis: SheetAxis, middle: float) -> Iterator[Item]:
     """Yield the item of a ring with the splines on its outside, and that of the ring that keeps it in the housing."""
     teeth, keeper = (made_of(sizing).weights.get(name) for name in seat_names(seat.ring))
     yield replace(item, remark=f"{item.remark}, W {seat.name}", mass=(item.mass or 0.0) + (teeth or 0.0))
@@ -496,7 +498,7 @@ def _seated(sizing: Sizing, item: Item, seat: RingSeat, axis: Axis, middle: floa
     yield Item(f"Keeper of {seat.ring.name}", size, 1, keeper, anchor)
 
 
-def _turning(axis: Axis, pin: float, bore: float, span: tuple[float, float]) -> Iterator[Entity]:
+def _turning(axis: SheetAxis, pin: float, bore: float, span: tuple[float, float]) -> Iterator[Entity]:
     """Yield what a planet turns on, as ISO 8826-1 has bearings: a box with an upright cross."""
     if bore - pin < LEAST_RING:
         return
@@ -526,7 +528,7 @@ def _towards(plane: Positions, shaft: str, middle: float, plate: float) -> float
 
 
 def _carrier(
-    axis: Axis, carrier: CarrierSizing, cage: Cage, middle: float, *, half: float, side: float
+    axis: SheetAxis, carrier: CarrierSizing, cage: Cage, middle: float, *, half: float, side: float
 ) -> Iterator[Entity]:
     """Yield the pins, uncut, and the plates beside the planets in section, from the hole for shafts outwards."""
     pin, outer = MM * carrier.pin_diameter / 2.0, MM * cage.plates[0].body.radius

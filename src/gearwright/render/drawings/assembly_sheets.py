@@ -40,10 +40,10 @@ from gearwright.render.drawings.entities import (
     Box,
     Distance,
     Entity,
+    GeometricTolerance,
     Hatch,
     Layer,
     Path,
-    Tolerance,
     Words,
     arrow,
     datum,
@@ -57,9 +57,9 @@ from gearwright.render.drawings.entities import (
 from gearwright.render.drawings.paper import (
     AIR,
     Content,
-    Grid,
     Rows,
     Segment,
+    SheetTable,
     Title,
     balloons,
     clear_of,
@@ -86,7 +86,7 @@ from gearwright.render.drawings.plane_section import (
     uncut,
 )
 from gearwright.render.drawings.positions import LETTER as SECTION, Positions, cutting_way, positions, way_marks
-from gearwright.render.drawings.shaft_view import ACROSS, MM, OVERSHOOT, Axis, Mark, made_of, marked
+from gearwright.render.drawings.shaft_view import ACROSS, MM, OVERSHOOT, Callout, SheetAxis, made_of, marked
 from gearwright.render.skeleton import pair_meshes
 from gearwright.render.style import overlap, spread
 from gearwright.shape import Scene, kind_of, sized_mesh
@@ -180,7 +180,7 @@ def arrangement_content(sizing: Sizing, solids: Scene) -> Content:
     )
     return Content(
         NAME, title, lambda scale: _views(shown, scale),
-        (Grid("Parts; mass of one", rows, heads), _axes(sizing)),
+        (SheetTable("Parts; mass of one", rows, heads), _axes(sizing)),
         (*shown.plane.notes, *_notes(shown)), largest_scale=1.0, kind=NAME, is_whole=True,
     )  # fmt: skip
 
@@ -252,13 +252,13 @@ def _seals(sizing: Sizing) -> Iterator[str]:
         yield f"No seal is drawn towards {names}: gearwright review says why."
 
 
-def _axes(sizing: Sizing) -> Grid:
+def _axes(sizing: Sizing) -> SheetTable:
     """Return where the axes of all shafts stand in space: their first ends, and which way they go."""
     rows = []
     for name, frame in sizing.arrangement.frames.items():
         place = (trimmed(MM * at, 3) for at in frame.origin)
         rows.append((name, *place, ", ".join(trimmed(way, 4) for way in frame.along)))
-    return Grid("Axes: first ends [mm]", tuple(rows), ("Shaft", "x", "y", "z", "direction"))
+    return SheetTable("Axes: first ends [mm]", tuple(rows), ("Shaft", "x", "y", "z", "direction"))
 
 
 def _views(shown: _Shown, scale: float) -> Rows:
@@ -470,7 +470,7 @@ def _section(sizing: Sizing, casing: Casing, scale: float) -> list[Entity]:
     top = scale * MM * complex(span_of(node, half)[1], spans_in(half.outer, [casing.leg])[-1][1])
     knee = complex(top.real, box[3] + HIGH)
     entities += [Path((top, knee), Layer.SYMBOL), arrow(top, (top - knee) / abs(top - knee), Layer.SYMBOL)]
-    frame = Tolerance("flatness", FLAT)
+    frame = GeometricTolerance("flatness", FLAT)
     entities += tolerance_frame(knee + 1j * HIGH / 2.0, frame)
     middle = (box[0] + box[2]) / 2.0
     entities.append(Words(complex(middle, extent(entities)[3] + AIR), "Section along the first shaft", TEXT, "middle"))
@@ -535,7 +535,7 @@ def _end(sizing: Sizing, casing: Casing, flanges: Flanges, scale: float) -> list
     return entities
 
 
-def _flange_grid(casing: Casing, flanges: Flanges) -> Grid:
+def _flange_grid(casing: Casing, flanges: Flanges) -> SheetTable:
     """Return every flange with its screws."""
     rows = []
     for k, (node, solid) in enumerate(casing.halves[::2], start=1):
@@ -547,14 +547,14 @@ def _flange_grid(casing: Casing, flanges: Flanges) -> Grid:
             f"2 x {millimetres(MM * flanges.thickness)}", f"{flanges.screws} x M{trimmed(MM * flanges.thread, 1)}",
             trimmed(MM * around / flanges.screws, 1),
         ))  # fmt: skip
-    return Grid("Flanges [mm]", tuple(rows), ("No.", "Joint at", "Width", "Thickness", "Screws", "Pitch"))
+    return SheetTable("Flanges [mm]", tuple(rows), ("No.", "Joint at", "Width", "Thickness", "Screws", "Pitch"))
 
 
 def _top(casing: Casing, loop: Floats) -> float:
     return float(np.max(casing.seen(loop).imag))
 
 
-def _chambers(casing: Casing) -> Grid:
+def _chambers(casing: Casing) -> SheetTable:
     """Return every chamber: from where to where along the first shaft, wall, how high and wide it is."""
     rows = []
     for k, (node, solid) in enumerate(casing.chambers, start=1):
@@ -562,10 +562,10 @@ def _chambers(casing: Casing) -> Grid:
         places = (trimmed(MM * (at - casing.start), 1) for at in span_of(node, solid))
         sizes = (trimmed(MM * float(np.ptp(part)), 1) for part in (seen.imag, seen.real))
         rows.append((f"{k}", *places, millimetres(MM * wall), *sizes))
-    return Grid("Chambers, outside [mm]", tuple(rows), ("No.", "From", "To", "Wall", "Height", "Width"))
+    return SheetTable("Chambers, outside [mm]", tuple(rows), ("No.", "From", "To", "Wall", "Height", "Width"))
 
 
-def _openings(casing: Casing) -> Grid:
+def _openings(casing: Casing) -> SheetTable:
     """Return the round openings of plates, between chambers too, and of sides."""
     rows = list[tuple[str, float, float, float, float]]()
     for k, (node, solid) in enumerate(casing.chambers, start=1):
@@ -580,7 +580,7 @@ def _openings(casing: Casing) -> Grid:
         (name, f"Ø{trimmed(2.0 * MM * radius, 1)}", *(trimmed(MM * at, 2) for at in (x - casing.start, y, z)))
         for name, radius, x, y, z in rows
     )  # fmt: skip
-    return Grid("Round openings [mm]", lines, ("Chamber", "Size", "x", "y", "z"))
+    return SheetTable("Round openings [mm]", lines, ("Chamber", "Size", "x", "y", "z"))
 
 
 def _circle(hole: Floats) -> tuple[list[float], float | None]:
@@ -591,7 +591,7 @@ def _circle(hole: Floats) -> tuple[list[float], float | None]:
     return middle.tolist(), float(far.mean()) * math.cos(math.pi / len(hole)) if is_round else None
 
 
-def _webs(sizing: Sizing, casing: Casing) -> Grid:
+def _webs(sizing: Sizing, casing: Casing) -> SheetTable:
     """Return the webs that carry bosses, seen from the first end: 0° points up, clockwise."""
     rows = []
     for web in (web for carried in carried_in_walls(sizing) for web in carried.webs):
@@ -600,14 +600,14 @@ def _webs(sizing: Sizing, casing: Casing) -> Grid:
         where = f"{turned}°" if abs(web.way[0]) < SQUARE else "along the first shaft"
         sizes = (millimetres(MM * web.thickness), millimetres(MM * web.width), trimmed(MM * web.length, 1))
         rows.append((web.bearing, where, *sizes))
-    return Grid("Webs of bosses [mm]", tuple(rows), ("Boss", "Way", "Thickness", "Width", "Length"))
+    return SheetTable("Webs of bosses [mm]", tuple(rows), ("Boss", "Way", "Thickness", "Width", "Length"))
 
 
-def _bore_axes(sizing: Sizing) -> Grid:
+def _bore_axes(sizing: Sizing) -> SheetTable:
     """Return where axes along the first shaft stand."""
     rows = tuple((name, *(trimmed(MM * at, 3) for at in frame.origin[1:]))
                  for name, frame in sizing.arrangement.frames.items() if abs(frame.along.x) > 1.0 - SQUARE)  # fmt: skip
-    return Grid("Axes along the first shaft [mm]", rows, ("Shaft", "y", "z"))
+    return SheetTable("Axes along the first shaft [mm]", rows, ("Shaft", "y", "z"))
 
 
 def _notes_on_housing(sizing: Sizing, casing: Casing, flanges: Flanges) -> Iterator[str]:
@@ -702,7 +702,7 @@ def _axis_of(sizing: Sizing, own: Sequence[BearingSizing], letters: Mapping[str,
     return "–".join(letters[one.name] for one in own if one.name in letters)
 
 
-def true_to(sizing: Sizing, shaft: str) -> Tolerance | None:
+def true_to(sizing: Sizing, shaft: str) -> GeometricTolerance | None:
     """Return how the axis of a shaft's bores may stand to that of the shaft before it; None of the first.
 
     The zone of a position is as wide as the centre distance may vary both ways. Axes of a bevel pair at 90° are square,
@@ -721,11 +721,11 @@ def true_to(sizing: Sizing, shaft: str) -> Tolerance | None:
         if kind_of(sizing, mesh.stage) == "bevel" and _is_square(sizing, mesh.stage):
             seats = [one.position for one in sizing.bearings if one.shaft == shaft]
             square = standard_tolerance(max(seats) - min(seats), BORE_GRADE)
-            return Tolerance("perpendicularity", MM * square, others[0])
+            return GeometricTolerance("perpendicularity", MM * square, others[0])
         if kind_of(sizing, mesh.stage) == "cylindrical":
             fit = sizing.design.rules(mesh.stage).centre_allowance or CENTRE_FIT_OF_BORES
             allowance = centre_allowance(mesh.centre_distance, fit)
-            return Tolerance("position", MM * 2.0 * allowance, others[0])
+            return GeometricTolerance("position", MM * 2.0 * allowance, others[0])
     return None
 
 
@@ -738,7 +738,7 @@ def _view(
     sizing: Sizing, own: Sequence[BearingSizing], held: Sequence[Held], letters: Mapping[str, str], scale: float
 ) -> list[Entity]:
     """Return the bores of one shaft in section, with what they must keep."""
-    axis = Axis(0j, 1 + 0j, scale)
+    axis = SheetAxis(0j, 1 + 0j, scale)
     start = MM * min(one.position - one.width / 2.0 for one in own)
     end = MM * max(one.position + one.width / 2.0 for one in own)
     more = (LIP + OVERSHOOT) / scale + LIP
@@ -770,7 +770,7 @@ def _view(
     return entities
 
 
-def _bore(axis: Axis, bearing: BearingSizing, held: Sequence[Held]) -> Iterator[Entity]:
+def _bore(axis: SheetAxis, bearing: BearingSizing, held: Sequence[Held]) -> Iterator[Entity]:
     """Yield the wall around an outer ring in section, with shoulders where they hold it."""
     low, high = MM * (bearing.position - bearing.width / 2.0), MM * (bearing.position + bearing.width / 2.0)
     radius, outer = MM * bearing.outer_diameter / 2.0, MM * bearing.outer_diameter * (0.5 + WALL)
@@ -789,33 +789,35 @@ def _bore(axis: Axis, bearing: BearingSizing, held: Sequence[Held]) -> Iterator[
         yield Path((axis.at(x, -radius), axis.at(x, radius)), Layer.OUTLINE)
 
 
-def _marks(sizing: Sizing, own: Sequence[BearingSizing], letters: Mapping[str, str]) -> Iterator[Mark]:
+def _marks(sizing: Sizing, own: Sequence[BearingSizing], letters: Mapping[str, str]) -> Iterator[Callout]:
     """Yield the diameter of every bore, and how true it is to the others of its axis, and its axis to others."""
     radial = [one for one in own if one.name in letters]
     for one in own:
         size, x = MM * one.outer_diameter, MM * one.position
-        yield Mark(x, size / 2.0, f" {BORE_CLASS}" if one.name in letters else " + 1 (free)")
+        yield Callout(x, size / 2.0, f" {BORE_CLASS}" if one.name in letters else " + 1 (free)")
         if one in radial[1:]:
-            true = Tolerance(
+            true = GeometricTolerance(
                 "coaxiality", MM * standard_tolerance(one.outer_diameter, BORE_GRADE), letters[radial[0].name]
             )
-            yield Mark(x + 0.3 * MM * one.width, size / 2.0, "", tolerance=true)
+            yield Callout(x + 0.3 * MM * one.width, size / 2.0, "", tolerance=true)
     wanted = true_to(sizing, own[0].shaft)
     if wanted is not None and radial:
         mates = [one for one in sizing.bearings if one.shaft == wanted.datums and one.name in letters]
         named = wanted._replace(datums=_axis_of(sizing, sorted(mates, key=_place), letters))
-        yield Mark(
+        yield Callout(
             MM * (radial[0].position + 0.3 * radial[0].width), MM * radial[0].outer_diameter / 2.0, "", tolerance=named
         )
     faces = [(own[0], -1.0), (own[-1], 1.0)] if len(own) > 1 else [(own[0], 1.0)]
     for bearing, way in faces:
         x, radius = MM * (bearing.position + way * bearing.width / 2.0), MM * bearing.outer_diameter * (0.5 + WALL)
         lean = MM * standard_tolerance(bearing.outer_diameter, BORE_GRADE)
-        yield Mark(x, radius, "", tolerance=Tolerance("perpendicularity", lean, _axis_of(sizing, own, letters)))
-        yield Mark(x + way * 0.01, radius, "", tolerance=Tolerance("flatness", lean / 2.0))
+        yield Callout(
+            x, radius, "", tolerance=GeometricTolerance("perpendicularity", lean, _axis_of(sizing, own, letters))
+        )
+        yield Callout(x + way * 0.01, radius, "", tolerance=GeometricTolerance("flatness", lean / 2.0))
 
 
-def _bores(sizing: Sizing, shafts: Mapping[str, Sequence[BearingSizing]], letters: Mapping[str, str]) -> Grid:
+def _bores(sizing: Sizing, shafts: Mapping[str, Sequence[BearingSizing]], letters: Mapping[str, str]) -> SheetTable:
     """Return every bore with its bearing, its datum, its size and limits."""
     rows = []
     for shaft, own in shafts.items():
@@ -824,7 +826,7 @@ def _bores(sizing: Sizing, shafts: Mapping[str, Sequence[BearingSizing]], letter
             size, wide = f"Ø{millimetres(MM * one.outer_diameter)}", millimetres(MM * one.width)
             rows.append((shaft, one.name, one.designation, letters.get(one.name, ""), size, limit, wide))
     heads = ("Shaft", "Bearing", "Type", "Datum", "Bore", f"{BORE_CLASS}, µm", "Width")
-    return Grid("Bores", tuple(rows), heads)
+    return SheetTable("Bores", tuple(rows), heads)
 
 
 def _notes_on_bores() -> Iterator[str]:

@@ -20,18 +20,18 @@ from gearwright.render.drawings.entities import (
     Arc,
     Distance,
     Entity,
+    GeometricTolerance,
     Hatch,
     Layer,
     Path,
-    Tolerance,
     Words,
     datum,
     millimetres,
     tolerance_frame,
     trimmed,
 )
-from gearwright.render.drawings.paper import Content, Grid, Rows, Title
-from gearwright.render.drawings.shaft_view import MM, OVERSHOOT, Axis, made_of
+from gearwright.render.drawings.paper import Content, Rows, SheetTable, Title
+from gearwright.render.drawings.shaft_view import MM, OVERSHOOT, SheetAxis, made_of
 from gearwright.shape import axes_at, circle, held_at, middle_of, plate_outline, set_frame, stands_of
 from gearwright.shape.solids import Arm, plate_form
 from gearwright.sizing import CarrierSizing, Sizing
@@ -127,7 +127,7 @@ def outline_radii(drawn: Drawn, own: Plate, angles: Floats) -> Floats:
     return np.asarray(MM * plate_form(drawn.held, plate_outline(own)).radii(angles))
 
 
-def section(drawn: Drawn, axis: Axis) -> list[Entity]:
+def section(drawn: Drawn, axis: SheetAxis) -> list[Entity]:
     """Return the section through the pin on top and through what stands opposite.
 
     Args:
@@ -152,7 +152,7 @@ def _is_below(arm: Arm) -> bool:
     return abs(cmath.phase(cmath.rect(1.0, arm.angle + math.pi / 2.0))) < 1e-6
 
 
-def _half(drawn: Drawn, axis: Axis, eye: Arm, side: float) -> Iterator[Entity]:
+def _half(drawn: Drawn, axis: SheetAxis, eye: Arm, side: float) -> Iterator[Entity]:
     """Yield plates and a pin in section, on one side of the axis."""
     middle, pin, hollow = MM * eye.radius, MM * drawn.cage.pin_diameter / 2.0, MM * drawn.cage.pin_bore / 2.0
     for start, end, own in drawn.plates:
@@ -172,7 +172,7 @@ def _half(drawn: Drawn, axis: Axis, eye: Arm, side: float) -> Iterator[Entity]:
     yield Path((axis.at(start - more, side * middle), axis.at(end + more, side * middle)), Layer.CENTRE)
 
 
-def _opposite(drawn: Drawn, axis: Axis, bridge: Arm | None) -> Iterator[Entity]:
+def _opposite(drawn: Drawn, axis: SheetAxis, bridge: Arm | None) -> Iterator[Entity]:
     """Yield what stands opposite of the pin: plates with a bridge between them, one piece, or plates alone."""
     below = np.array([-math.pi / 2.0])
     spans = [
@@ -190,13 +190,13 @@ def _opposite(drawn: Drawn, axis: Axis, bridge: Arm | None) -> Iterator[Entity]:
     yield from (Hatch(points, LEAN[0]), Path(points, Layer.OUTLINE, closed=True))
 
 
-def _cut(axis: Axis, span: tuple[float, float], radii: tuple[float, float], lean: float) -> Iterator[Entity]:
+def _cut(axis: SheetAxis, span: tuple[float, float], radii: tuple[float, float], lean: float) -> Iterator[Entity]:
     corners = tuple(axis.at(x, radius) for x, radius in
                     ((span[0], radii[0]), (span[1], radii[0]), (span[1], radii[1]), (span[0], radii[1])))  # fmt: skip
     yield from (Hatch(corners, lean, 2.0 if lean == LEAN[1] else 3.0), Path(corners, Layer.OUTLINE, closed=True))
 
 
-def section_dimensions(drawn: Drawn, axis: Axis, fits: tuple[str, str], *, letter: str) -> Iterator[Entity]:
+def section_dimensions(drawn: Drawn, axis: SheetAxis, fits: tuple[str, str], *, letter: str) -> Iterator[Entity]:
     """Yield diameters on both sides and lengths below.
 
     Args:
@@ -236,7 +236,7 @@ def section_dimensions(drawn: Drawn, axis: Axis, fits: tuple[str, str], *, lette
         yield Distance(axis.at(a, below), axis.at(b, below), foot - 1j * LEVEL * k, 0.0, axis.scale)
 
 
-def end_view(drawn: Drawn, axis: Axis, words: str, tolerance: Tolerance | None) -> list[Entity]:
+def end_view(drawn: Drawn, axis: SheetAxis, words: str, tolerance: GeometricTolerance | None) -> list[Entity]:
     """Return a carrier seen from its left end: outline, pins on their circle, bridges behind the plate.
 
     Args:
@@ -262,7 +262,7 @@ def end_view(drawn: Drawn, axis: Axis, words: str, tolerance: Tolerance | None) 
     return [*entities, *_leader(drawn, axis, words, tolerance)]
 
 
-def _pin(drawn: Drawn, axis: Axis, eye: Arm) -> Iterator[Entity]:
+def _pin(drawn: Drawn, axis: SheetAxis, eye: Arm) -> Iterator[Entity]:
     middle, out = axis.on(complex(cmath.rect(MM * eye.radius, eye.angle))), cmath.rect(1.0, eye.angle)
     pin = axis.scale * MM * drawn.cage.pin_diameter / 2.0
     yield Arc(middle, pin, Layer.OUTLINE)
@@ -272,13 +272,13 @@ def _pin(drawn: Drawn, axis: Axis, eye: Arm) -> Iterator[Entity]:
         yield Path((middle - (pin + 2.0) * out, middle + (pin + 2.0) * out), Layer.CENTRE)
 
 
-def _bridge(axis: Axis, arm: Arm) -> Path:
+def _bridge(axis: SheetAxis, arm: Arm) -> Path:
     along, across = cmath.rect(1.0, arm.angle), cmath.rect(1.0, arm.angle + math.pi / 2.0)
     corners = ((arm.inner, -arm.half), (arm.radius, -arm.half), (arm.radius, arm.half), (arm.inner, arm.half))
     return Path(tuple(axis.on(MM * (x * along + y * across)) for x, y in corners), Layer.HIDDEN, closed=True)
 
 
-def _leader(drawn: Drawn, axis: Axis, words: str, tolerance: Tolerance | None) -> Iterator[Entity]:
+def _leader(drawn: Drawn, axis: SheetAxis, words: str, tolerance: GeometricTolerance | None) -> Iterator[Entity]:
     """Yield what is said of the holes for pins, beside the one on top, clear of the plate."""
     eye, reach = drawn.eyes[0], axis.scale * MM * max(own.body.radius for _, _, own in drawn.plates)
     middle = axis.on(complex(cmath.rect(MM * eye.radius, eye.angle)))
@@ -412,26 +412,26 @@ def carrier_content(sizing: Sizing, carrier: CarrierSizing) -> Content:
         sizing.design.shaft_material.name, f"{made_of(sizing).weights[str(carrier.part)]:.2f}",
     )  # fmt: skip
     letter = DATUM if cage.plates[0].bore else ""
-    zone = None if places.zone is None else Tolerance("position", MM * places.zone, letter)
+    zone = None if places.zone is None else GeometricTolerance("position", MM * places.zone, letter)
     across = millimetres(MM * cage.pin_diameter)
     holes = f"{len(drawn.eyes)} × Ø{across} {PIN_FIT[0]}, {'evenly spaced' if is_even(drawn) else 'see table'}"
 
     def views(scale: float) -> Rows:
-        axis = Axis(0j, 1 + 0j, scale)
+        axis = SheetAxis(0j, 1 + 0j, scale)
         side = [*section(drawn, axis), *section_dimensions(drawn, axis, (f" {'/'.join(PIN_FIT)}", ""), letter=letter)]
         return [[side, end_view(drawn, axis, holes, zone)]]
 
     notes = (*_notes(sizing, carrier, drawn), *_shared(places), *_assumed(cage))
-    grids = (Grid(f"Carrier {carrier.stage}", tuple(_rows(sizing, carrier, drawn))), *_unequal(drawn))
+    grids = (SheetTable(f"Carrier {carrier.stage}", tuple(_rows(sizing, carrier, drawn))), *_unequal(drawn))
     return Content(name, title, views, grids, notes, kind="carrier")
 
 
-def _unequal(drawn: Drawn) -> Iterator[Grid]:
+def _unequal(drawn: Drawn) -> Iterator[SheetTable]:
     """Yield where every pin stands, where they are not evenly spaced on one circle."""
     if not is_even(drawn):
         rows = tuple((str(k), f"{trimmed(angle, 4)}°", millimetres(2.0 * radius))
                      for k, (angle, radius) in enumerate(places_of(drawn), start=1))  # fmt: skip
-        yield Grid("Pins, the first on top, counter-clockwise", rows, ("Pin", "Angle", "Circle Ø"))
+        yield SheetTable("Pins, the first on top, counter-clockwise", rows, ("Pin", "Angle", "Circle Ø"))
 
 
 def _rows(sizing: Sizing, carrier: CarrierSizing, drawn: Drawn) -> Iterator[tuple[str, str]]:

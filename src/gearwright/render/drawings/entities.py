@@ -580,7 +580,7 @@ Characteristic = Literal[
 ]
 
 
-class Tolerance(NamedTuple):
+class GeometricTolerance(NamedTuple):
     """What a frame says."""
 
     what: Characteristic
@@ -598,7 +598,7 @@ class Tolerance(NamedTuple):
         return round_zone + f"{self.width:.4f}".rstrip("0").rstrip(".")
 
 
-def frame_length(tolerance: Tolerance) -> float:
+def frame_length(tolerance: GeometricTolerance) -> float:
     """Return the length of a frame [mm].
 
     Args:
@@ -607,7 +607,7 @@ def frame_length(tolerance: Tolerance) -> float:
     return sum(_widths(tolerance)) + (words_length(tolerance.of, SMALL) + _AIR if tolerance.of else 0.0)
 
 
-def tolerance_frame(start: complex, tolerance: Tolerance, turn: float = 0.0) -> list[Entity]:
+def tolerance_frame(start: complex, tolerance: GeometricTolerance, turn: float = 0.0) -> list[Entity]:
     """Return a frame: symbol, width of the zone, datums.
 
     Args:
@@ -653,11 +653,11 @@ def datum(foot: complex, way: complex, letter: str) -> list[Entity]:
     ]
 
 
-def _widths(tolerance: Tolerance) -> list[float]:
+def _widths(tolerance: GeometricTolerance) -> list[float]:
     return [HIGH + _AIR, *(words_length(text, SMALL) + 2.0 * _AIR for text in _texts(tolerance))]
 
 
-def _texts(tolerance: Tolerance) -> tuple[str, ...]:
+def _texts(tolerance: GeometricTolerance) -> tuple[str, ...]:
     return (tolerance.text, tolerance.datums) if tolerance.datums else (tolerance.text,)
 
 

@@ -66,12 +66,12 @@ from gearwright.render.drawings.gear_view import (
     seat_section,
     thickness,
 )
-from gearwright.render.drawings.paper import Content, Grid, Rows, Title, clear_of, segments, texts
+from gearwright.render.drawings.paper import Content, Rows, SheetTable, Title, clear_of, segments, texts
 from gearwright.render.drawings.shaft_view import (
     CHAMFERS,
     MM,
     OVERSHOOT,
-    Axis,
+    SheetAxis,
     bevel_profile,
     made_of,
 )
@@ -108,7 +108,7 @@ LEADS = {"none": "as cut", "crowning": "crowned", "corrected": "corrected for th
 Row = tuple[str, str, str]
 
 
-def tooth_grid(sizing: Sizing, gear: GearSizing, shaft: str) -> Grid:
+def tooth_grid(sizing: Sizing, gear: GearSizing, shaft: str) -> SheetTable:
     """Return the table of tooth data of a gear.
 
     Args:
@@ -120,7 +120,7 @@ def tooth_grid(sizing: Sizing, gear: GearSizing, shaft: str) -> Grid:
     rows = (_bevel_rows if bevel else _face_rows if is_face_wheel(sizing, gear) else _cylindrical_rows)(sizing, gear)
     named = {"hand": _hand(sizing, gear, shaft)}
     filled = tuple((name, symbol, named.get(value, value)) for name, symbol, value in rows)
-    return Grid(f"Tooth data: {gear.name}", (*filled, *_quality(sizing, gear), *_mates(sizing, gear)))
+    return SheetTable(f"Tooth data: {gear.name}", (*filled, *_quality(sizing, gear), *_mates(sizing, gear)))
 
 
 def _hand(sizing: Sizing, gear: GearSizing, shaft: str) -> str:
@@ -416,7 +416,7 @@ def hard_teeth(sizing: Sizing, gear: GearSizing) -> Hard | None:
     return Hard(material.steel, material.hardness)
 
 
-def hard_grid(sizing: Sizing, gear: GearSizing) -> Iterator[Grid]:
+def hard_grid(sizing: Sizing, gear: GearSizing) -> Iterator[SheetTable]:
     """Yield the table of hardened surfaces; none where none is.
 
     Args:
@@ -431,15 +431,15 @@ def hard_grid(sizing: Sizing, gear: GearSizing) -> Iterator[Grid]:
             ("1", "teeth", f"at least {hard.hardness:.0f} HV, NHD not sized"),
             ("", "all else", "may be nitrided, too (assumed)"),
         ]
-        yield Grid("Nitrided (ISO 15787)", tuple(rows))
+        yield SheetTable("Nitrided (ISO 15787)", tuple(rows))
         return
     low, high = (MM * share * gear.module for share in CASE)
     rows = [("1", "teeth", case_words(hard.hardness, (low, high)))]
     rows.append(("", "all else", "soft: kept from carburizing (assumed)"))
-    yield Grid("Case-hardened and tempered (ISO 15787)", tuple(rows))
+    yield SheetTable("Case-hardened and tempered (ISO 15787)", tuple(rows))
 
 
-def hard_lines(sizing: Sizing, gear: GearSizing, axis: Axis, view: Sequence[Entity]) -> Iterator[Entity]:
+def hard_lines(sizing: Sizing, gear: GearSizing, axis: SheetAxis, view: Sequence[Entity]) -> Iterator[Entity]:
     """Yield the line beside the teeth of a gear in section, above its axis, or below it where letters are in its way.
 
     Args:
@@ -531,7 +531,7 @@ def needs_end(hub: Hub) -> bool:
     return hub.key is not None or hub.teeth is not None or (hub.web is not None and hub.web.holes > 0)
 
 
-def end_of_gear(hub: Hub, circles: Circles, axis: Axis) -> list[Entity]:
+def end_of_gear(hub: Hub, circles: Circles, axis: SheetAxis) -> list[Entity]:
     """Return a gear seen along its axis: whole with a keyway, else its right half.
 
     Args:
@@ -562,7 +562,7 @@ def end_of_gear(hub: Hub, circles: Circles, axis: Axis) -> list[Entity]:
     return entities
 
 
-def _halved(axis: Axis, reach: float) -> Iterator[Path]:
+def _halved(axis: SheetAxis, reach: float) -> Iterator[Path]:
     """Yield the strokes at both ends of a line of symmetry (ISO 128-3)."""
     for side in (1.0, -1.0):
         for k in (0.0, 1.0):
@@ -570,7 +570,7 @@ def _halved(axis: Axis, reach: float) -> Iterator[Path]:
             yield Path((foot - MARK / 2.0, foot + MARK / 2.0), Layer.THIN)
 
 
-def _keyway(hub: Hub, axis: Axis, tip: float) -> Iterator[Entity]:
+def _keyway(hub: Hub, axis: SheetAxis, tip: float) -> Iterator[Entity]:
     """Yield width and depth of a keyway, and what key it is for, outside of the gear."""
     assert hub.key is not None
     radius, half, top = hub.bore / 2.0, MM * hub.key.width / 2.0, hub.reach / 2.0
@@ -581,7 +581,7 @@ def _keyway(hub: Hub, axis: Axis, tip: float) -> Iterator[Entity]:
     yield Words(axis.at(0.0, -tip) - 1j * (ASIDE_OF_END + TEXT), hub.designation, TEXT, "middle")
 
 
-def _spline(hub: Hub, axis: Axis, tip: float) -> Iterator[Entity]:
+def _spline(hub: Hub, axis: SheetAxis, tip: float) -> Iterator[Entity]:
     """Yield the leader from a splined bore to below the gear, with the spline's designation."""
     target = axis.on(cmath.rect(hub.bore / 2.0, -math.pi / 4.0))
     level = axis.origin.imag - axis.scale * tip - KNEE
@@ -591,7 +591,7 @@ def _spline(hub: Hub, axis: Axis, tip: float) -> Iterator[Entity]:
     yield words
 
 
-def _holes(web: Web, axis: Axis, tip: float, half: tuple[float, float]) -> Iterator[Entity]:
+def _holes(web: Web, axis: SheetAxis, tip: float, half: tuple[float, float]) -> Iterator[Entity]:
     """Yield holes on their circle, the first on top, and what is said of them."""
     whole = half[0] == 0.0
     radius = axis.scale * web.hole
@@ -606,7 +606,7 @@ def _holes(web: Web, axis: Axis, tip: float, half: tuple[float, float]) -> Itera
     yield from _told(web, axis, tip, places)
 
 
-def _told(web: Web, axis: Axis, tip: float, places: Sequence[complex]) -> Iterator[Entity]:
+def _told(web: Web, axis: SheetAxis, tip: float, places: Sequence[complex]) -> Iterator[Entity]:
     """Yield the leader from a hole on the right, to beyond the gear."""
     place = max(
         places, key=lambda at: (round(at.imag, 6), round(at.real, 6)) if at.real > web.hole else (-math.inf, 0.0)
@@ -653,7 +653,7 @@ def gear_content(sizing: Sizing, gear: GearSizing, shaft: str, label: str) -> Co
     notes = [hub.note, *_notes(sizing, gear, hub), "General surfaces Ra 3.2 (assumed). Dimensions in mm."]
 
     def views(scale: float) -> Rows:
-        axis = Axis(0j, 1 + 0j, scale)
+        axis = SheetAxis(0j, 1 + 0j, scale)
         drawn = bevel_view if bevel else face_view if is_face_wheel(sizing, gear) else _cylindrical
         main = drawn(sizing, gear, hub, axis)
         main += hard_lines(sizing, gear, axis, list(main))
@@ -751,7 +751,7 @@ def ratio_of(web: Web) -> float:
     return abs(web.dish) / (web.rim - web.hub)
 
 
-def _cylindrical(sizing: Sizing, gear: GearSizing, hub: Hub, axis: Axis) -> list[Entity]:
+def _cylindrical(sizing: Sizing, gear: GearSizing, hub: Hub, axis: SheetAxis) -> list[Entity]:
     teeth, span = cylindrical_gear(sizing, gear), (0.0, MM * gear.face_width * halves_of(gear))
     internal = is_internal(sizing, gear)
     outer = MM * ring_outside(sizing, gear) if internal else MM * teeth.tip_radius
@@ -794,7 +794,7 @@ def _cylindrical(sizing: Sizing, gear: GearSizing, hub: Hub, axis: Axis) -> list
     return entities
 
 
-def _against_bore(axis: Axis, hub: Hub, root: float, span: tuple[float, float]) -> Iterator[Entity]:
+def _against_bore(axis: SheetAxis, hub: Hub, root: float, span: tuple[float, float]) -> Iterator[Entity]:
     """Yield the bore as a datum, and what a face may run out against it: beside the datum, or on the other face.
 
     The datum of a spline is its pitch cylinder, and stands at its designation.
@@ -817,13 +817,13 @@ def _against_bore(axis: Axis, hub: Hub, root: float, span: tuple[float, float]) 
         yield from tolerance_frame(start, tolerance)
 
 
-def _across(axis: Axis, radius: float, x: float, aside: float, suffix: str = "") -> Distance:
+def _across(axis: SheetAxis, radius: float, x: float, aside: float, suffix: str = "") -> Distance:
     """Return a diameter beside a face."""
     low, high = axis.at(x, -radius), axis.at(x, radius)
     return Distance(low, high, high + aside, math.pi / 2.0, axis.scale, "Ø", suffix)
 
 
-def _width(axis: Axis, span: tuple[float, float], radius: float) -> Distance:
+def _width(axis: SheetAxis, span: tuple[float, float], radius: float) -> Distance:
     line = axis.at(0.0, -radius) - 1j * ASIDE
     return Distance(axis.at(span[0], -radius), axis.at(span[1], -radius), line, 0.0, axis.scale)
 

@@ -15,10 +15,10 @@ from gearwright.render.drawings.entities import (
     Corner,
     Distance,
     Entity,
+    GeometricTolerance,
     Hatch,
     Layer,
     Path,
-    Tolerance,
     arrow,
     corner_leader,
     corner_words,
@@ -30,7 +30,7 @@ from gearwright.render.drawings.paper import Segment, crossings, segments
 from gearwright.render.drawings.shaft_view import (
     MM,
     OVERSHOOT,
-    Axis,
+    SheetAxis,
     away_of,
     bevel_profile,
     keyed_rim,
@@ -238,7 +238,7 @@ def _fitting(sizing: Sizing, gear: GearSizing, diameter: float, note: str) -> Hu
 
 
 def cylinder_section(
-    axis: Axis, teeth: CylindricalGear, hub: Hub, span: tuple[float, float], *, lean: float
+    axis: SheetAxis, teeth: CylindricalGear, hub: Hub, span: tuple[float, float], *, lean: float
 ) -> list[Entity]:
     """Return an external gear in section, both halves.
 
@@ -295,7 +295,7 @@ def _bored_web(body: list[complex], web: Web, side: float) -> list[list[complex]
     return [inner, outer]
 
 
-def _hole(axis: Axis, web: Web, middle: float, side: float) -> Iterator[Path]:
+def _hole(axis: SheetAxis, web: Web, middle: float, side: float) -> Iterator[Path]:
     """Yield the edges of a hole in a web, and its centre line."""
     half, more = web.width / 2.0, OVERSHOOT / axis.scale
     for radius in (web.circle - web.hole, web.circle + web.hole) if web.holes else ():
@@ -305,7 +305,7 @@ def _hole(axis: Axis, web: Web, middle: float, side: float) -> Iterator[Path]:
 
 
 def ring_section(
-    axis: Axis, teeth: CylindricalGear, outer: float, span: tuple[float, float], *, lean: float
+    axis: SheetAxis, teeth: CylindricalGear, outer: float, span: tuple[float, float], *, lean: float
 ) -> list[Entity]:
     """Return an internal gear in section, both halves.
 
@@ -328,7 +328,7 @@ def ring_section(
     return entities
 
 
-def seat_section(axis: Axis, seat: RingSeat, middle: float, *, lean: float) -> list[Entity]:
+def seat_section(axis: SheetAxis, seat: RingSeat, middle: float, *, lean: float) -> list[Entity]:
     """Return the splines of a ring that stands in the housing in section, to half of their height, both halves.
 
     Args:
@@ -341,7 +341,7 @@ def seat_section(axis: Axis, seat: RingSeat, middle: float, *, lean: float) -> l
     return list(_rings(axis, span, (MM * seat.teeth.shaft_root / 2.0, MM * seat.middle), lean))
 
 
-def keeper_section(axis: Axis, seat: RingSeat, middle: float, *, lean: float) -> list[Entity]:
+def keeper_section(axis: SheetAxis, seat: RingSeat, middle: float, *, lean: float) -> list[Entity]:
     """Return the ring that keeps a ring in the housing in section, both halves.
 
     Args:
@@ -354,13 +354,13 @@ def keeper_section(axis: Axis, seat: RingSeat, middle: float, *, lean: float) ->
     return list(_rings(axis, span, (MM * seat.clear, MM * seat.outside), lean))
 
 
-def _rings(axis: Axis, span: tuple[float, float], radii: tuple[float, float], lean: float) -> Iterator[Entity]:
+def _rings(axis: SheetAxis, span: tuple[float, float], radii: tuple[float, float], lean: float) -> Iterator[Entity]:
     for side in (1.0, -1.0):
         corners = _box(span, radii[0], radii[1], side)
         yield from (hatched(axis, corners, lean), line(axis, corners, closed=True))
 
 
-def bell_section(axis: Axis, bell: Bell, *, lean: float) -> list[Entity]:
+def bell_section(axis: SheetAxis, bell: Bell, *, lean: float) -> list[Entity]:
     """Return what joins a turning ring to its shaft in section, both halves.
 
     Args:
@@ -403,7 +403,7 @@ def bevel_corners(profile: BevelProfile, hub: Hub) -> list[complex]:
     return [small, large, heel, complex(heel.real, 0.0), complex(small.real, 0.0)]
 
 
-def bevel_section(axis: Axis, profile: BevelProfile, hub: Hub, *, away: float, lean: float) -> list[Entity]:
+def bevel_section(axis: SheetAxis, profile: BevelProfile, hub: Hub, *, away: float, lean: float) -> list[Entity]:
     """Return a bevel gear in section, both halves, with its pitch cone from the apex on.
 
     Args:
@@ -427,7 +427,7 @@ def bevel_section(axis: Axis, profile: BevelProfile, hub: Hub, *, away: float, l
     return entities
 
 
-def hub_view(axis: Axis, hub: Hub) -> list[Entity]:
+def hub_view(axis: SheetAxis, hub: Hub) -> list[Entity]:
     """Return the bore of a hub seen along its axis, keyway on top.
 
     Args:
@@ -451,7 +451,7 @@ def _bottom(hub: Hub) -> float:
     return hub.bore if hub.key is not None else hub.reach
 
 
-def bore_edges(axis: Axis, span: tuple[float, float], hub: Hub) -> Iterator[Entity]:
+def bore_edges(axis: SheetAxis, span: tuple[float, float], hub: Hub) -> Iterator[Entity]:
     """Yield the edges of a bore that are seen behind the section.
 
     Args:
@@ -475,7 +475,7 @@ def _along(span: tuple[float, float], radius: float) -> list[complex]:
     return [complex(x, radius) for x in span]
 
 
-def hatched(axis: Axis, corners: Sequence[complex], lean: float) -> Hatch:
+def hatched(axis: SheetAxis, corners: Sequence[complex], lean: float) -> Hatch:
     """Return a face that is cut.
 
     Args:
@@ -487,7 +487,7 @@ def hatched(axis: Axis, corners: Sequence[complex], lean: float) -> Hatch:
     return Hatch(tuple(axis.on(corner) for corner in corners), turned)
 
 
-def line(axis: Axis, corners: Sequence[complex], layer: Layer = Layer.OUTLINE, *, closed: bool = False) -> Path:
+def line(axis: SheetAxis, corners: Sequence[complex], layer: Layer = Layer.OUTLINE, *, closed: bool = False) -> Path:
     """Return a line over corners.
 
     Args:
@@ -499,7 +499,7 @@ def line(axis: Axis, corners: Sequence[complex], layer: Layer = Layer.OUTLINE, *
     return Path(tuple(axis.on(corner) for corner in corners), layer, closed=closed)
 
 
-def _pitch(axis: Axis, span: tuple[float, float], radius: float) -> Path:
+def _pitch(axis: SheetAxis, span: tuple[float, float], radius: float) -> Path:
     more = 2.0 / axis.scale
     return line(axis, _along((span[0] - more, span[1] + more), radius), Layer.PITCH)
 
@@ -517,7 +517,7 @@ LEAST_BETWEEN = 8.0
 """Room on paper below which the thickness of a web stands in the notes alone [mm]."""
 
 
-def thickness(axis: Axis, web: tuple[float, float], radii: tuple[float, float]) -> Iterator[Distance]:
+def thickness(axis: SheetAxis, web: tuple[float, float], radii: tuple[float, float]) -> Iterator[Distance]:
     """Yield the thickness of a web where the sheet has room between rim and hub.
 
     Args:
@@ -530,7 +530,7 @@ def thickness(axis: Axis, web: tuple[float, float], radii: tuple[float, float]) 
         yield Distance(low, high, low, 0.0, axis.scale)
 
 
-def face_runout(root: float) -> Tolerance | None:
+def face_runout(root: float) -> GeometricTolerance | None:
     """Return what the face of a gear may run out against its bore; None beyond the sizes of ISO 286-1.
 
     Args:
@@ -538,7 +538,7 @@ def face_runout(root: float) -> Tolerance | None:
     """
     if not SMALLEST < 2.0 * root / MM <= LARGEST:
         return None
-    return Tolerance("run-out", MM * standard_tolerance(2.0 * root / MM, FACE_GRADE), "A")
+    return GeometricTolerance("run-out", MM * standard_tolerance(2.0 * root / MM, FACE_GRADE), "A")
 
 
 def runout_beside(face: complex, start: float, root: float) -> Iterator[Entity]:
@@ -567,7 +567,7 @@ SHARES = (1.0, 0.93, 0.86, 0.8, 0.74, 0.68, 0.62, 0.56, 0.5, 0.44, 0.38)
 """Of the radius of an angle's arc that are tried where lines run through its text [-]."""
 
 
-def bevel_view(sizing: Sizing, gear: GearSizing, hub: Hub, axis: Axis) -> list[Entity]:
+def bevel_view(sizing: Sizing, gear: GearSizing, hub: Hub, axis: SheetAxis) -> list[Entity]:
     """Return a bevel gear in section with its dimensions.
 
     Args:
@@ -669,18 +669,18 @@ def _bore_ends(corners: Sequence[complex], hub: Hub) -> tuple[float, float]:
     return min(ends), max(ends)
 
 
-def _hub_length(axis: Axis, boss: Boss, bore: float) -> Distance:
+def _hub_length(axis: SheetAxis, boss: Boss, bore: float) -> Distance:
     """Return the length of the hub, within its bore."""
     line = axis.at(0.0, -bore) + 2.0j
     return Distance(axis.at(boss.start, -bore), axis.at(boss.end, -bore), line, 0.0, axis.scale)
 
 
-def _at(axis: Axis, point: complex, x: float, suffix: str = "") -> Distance:
+def _at(axis: SheetAxis, point: complex, x: float, suffix: str = "") -> Distance:
     return Distance(axis.on(point.conjugate()), axis.on(point), complex(x, 0.0), math.pi / 2.0, axis.scale, "Ø", suffix)
 
 
 def _bevel_lengths(
-    axis: Axis, profile: BevelProfile, angles: Sequence[Corner], *, hub: Hub, back: float
+    axis: SheetAxis, profile: BevelProfile, angles: Sequence[Corner], *, hub: Hub, back: float
 ) -> Iterator[Entity]:
     """Yield face width and, beyond the texts of angles, cone distance; hub, crown and back of a body from the apex."""
     apex = axis.at(profile.apex)
@@ -700,7 +700,7 @@ def _bevel_lengths(
 
 
 def _bevel_angles(
-    sizing: Sizing, gear: GearSizing, axis: Axis, *, profile: BevelProfile, boss: Boss | None
+    sizing: Sizing, gear: GearSizing, axis: SheetAxis, *, profile: BevelProfile, boss: Boss | None
 ) -> list[Corner]:
     """Return pitch, face and root cone angle about the apex."""
     pair, side = bevel_pair(sizing, gear.stage), meshes_of(sizing, gear.name)[0][1]
@@ -776,7 +776,9 @@ def toward_pinion(sizing: Sizing, gear: GearSizing, shaft: str) -> float:
     return math.copysign(1.0, float((mate.axes.origin - own.axes.origin) @ own.axes.along))
 
 
-def face_section(sizing: Sizing, gear: GearSizing, hub: Hub, axis: Axis, *, toward: float, lean: float) -> list[Entity]:
+def face_section(
+    sizing: Sizing, gear: GearSizing, hub: Hub, axis: SheetAxis, *, toward: float, lean: float
+) -> list[Entity]:
     """Return the wheel of a face-gear pair in section, both halves; x = 0 is the plane of its pitch circle.
 
     Args:
@@ -814,7 +816,7 @@ def _face_way(sizing: Sizing, gear: GearSizing, hub: Hub) -> list[complex]:
     return [complex(MM * z, hub.bore / 2.0 if radius == inner else MM * radius) for z, radius in points]
 
 
-def face_view(sizing: Sizing, gear: GearSizing, hub: Hub, axis: Axis) -> list[Entity]:
+def face_view(sizing: Sizing, gear: GearSizing, hub: Hub, axis: SheetAxis) -> list[Entity]:
     """Return the wheel of a face-gear pair in section with its dimensions.
 
     Args:
@@ -852,12 +854,12 @@ def face_view(sizing: Sizing, gear: GearSizing, hub: Hub, axis: Axis) -> list[En
     return entities
 
 
-def _across(axis: Axis, x: float, radius: float, at: float, suffix: str) -> Distance:
+def _across(axis: SheetAxis, x: float, radius: float, at: float, suffix: str) -> Distance:
     low, high = axis.at(x, -radius), axis.at(x, radius)
     return Distance(low, high, complex(at, 0.0), math.pi / 2.0, axis.scale, "Ø", suffix)
 
 
-def _lengths(axis: Axis, teeth: FaceTeeth, backs: tuple[float, ...]) -> Iterator[Entity]:
+def _lengths(axis: SheetAxis, teeth: FaceTeeth, backs: tuple[float, ...]) -> Iterator[Entity]:
     """Yield how far tips and backs lie from the plane of the pitch circle, which the assembly distance is to."""
     inner, outer = teeth.reach
     plane, level = axis.at(0.0, -outer), axis.at(0.0, -outer).imag - ASIDE

@@ -189,7 +189,7 @@ def _at(along: float, across: float, turn: complex) -> complex:
     return complex(along, across) if turn == 1 else complex(across, along)
 
 
-class Cell(NamedTuple):
+class TitleField(NamedTuple):
     """A field of the title block."""
 
     width: float
@@ -213,22 +213,24 @@ def title_block(title: Title, size: Size, scale: float) -> list[Entity]:
     _, low, right, _ = inside(size)
     corner = complex(right - BLOCK_WIDTH, low)
     number, of = title.sheet
-    rows: tuple[tuple[Cell, ...], ...] = (
+    rows: tuple[tuple[TitleField, ...], ...] = (
         (
-            Cell(36.0, "General tolerances", "ISO 2768-mK", SMALL), Cell(36.0, "Edges", "ISO 13715", SMALL),
-            Cell(30.0, "Units", "mm", SMALL), Cell(22.0, "Size", size.name, SMALL),
-            Cell(32.0, "Language", "en", SMALL), Cell(24.0, "Sheet", f"{number}/{of}", SMALL),
+            TitleField(36.0, "General tolerances", "ISO 2768-mK", SMALL), TitleField(36.0, "Edges", "ISO 13715", SMALL),
+            TitleField(30.0, "Units", "mm", SMALL), TitleField(22.0, "Size", size.name, SMALL),
+            TitleField(32.0, "Language", "en", SMALL), TitleField(24.0, "Sheet", f"{number}/{of}", SMALL),
         ),
         (
-            Cell(36.0, "Scale", scale_text(scale), TEXT), Cell(36.0, "Projection", "", SMALL),
-            Cell(30.0, "Mass [kg]", title.mass, SMALL), Cell(54.0, "Identification number", title.number, SMALL),
-            Cell(24.0, "Revision", "", SMALL),
+            TitleField(36.0, "Scale", scale_text(scale), TEXT), TitleField(36.0, "Projection", "", SMALL),
+            TitleField(30.0, "Mass [kg]", title.mass, SMALL),
+            TitleField(54.0, "Identification number", title.number, SMALL),
+            TitleField(24.0, "Revision", "", SMALL),
         ),
-        (Cell(72.0, "Legal owner", "", SMALL), Cell(108.0, title.project, title.title, 5.0)),
+        (TitleField(72.0, "Legal owner", "", SMALL), TitleField(108.0, title.project, title.title, 5.0)),
         (
-            Cell(36.0, "Created by", f"gearwright {__version__}", SMALL), Cell(36.0, "Approved by", "", SMALL),
-            Cell(30.0, "Date of issue", "", SMALL), Cell(38.0, "Material", title.material, SMALL),
-            Cell(40.0, "Document type", title.kind, SMALL),
+            TitleField(36.0, "Created by", f"gearwright {__version__}", SMALL),
+            TitleField(36.0, "Approved by", "", SMALL),
+            TitleField(30.0, "Date of issue", "", SMALL), TitleField(38.0, "Material", title.material, SMALL),
+            TitleField(40.0, "Document type", title.kind, SMALL),
         ),
     )  # fmt: skip
     box = (corner, corner + BLOCK_WIDTH, corner + complex(BLOCK_WIDTH, BLOCK_HEIGHT), corner + 1j * BLOCK_HEIGHT)
@@ -241,7 +243,7 @@ def title_block(title: Title, size: Size, scale: float) -> list[Entity]:
     return entities
 
 
-def _row(corner: complex, height: float, cells: Sequence[Cell]) -> Iterator[Entity]:
+def _row(corner: complex, height: float, cells: Sequence[TitleField]) -> Iterator[Entity]:
     yield Path((corner + 1j * height, corner + BLOCK_WIDTH + 1j * height), Layer.TABLE)
     at = corner
     for width, name, value, size in cells:
@@ -288,7 +290,7 @@ PAD = 1.5
 
 
 @dataclass(frozen=True)
-class Grid:
+class SheetTable:
     """A table with a title."""
 
     title: str
@@ -297,7 +299,7 @@ class Grid:
     """Names of the columns; none where the first column says what a row is."""
 
 
-def grid_size(grid: Grid) -> tuple[float, float]:
+def grid_size(grid: SheetTable) -> tuple[float, float]:
     """Return width and height of a table [mm].
 
     Args:
@@ -306,7 +308,7 @@ def grid_size(grid: Grid) -> tuple[float, float]:
     return sum(_columns(grid)), ROW * (1 + len(grid.rows) + bool(grid.heads))
 
 
-def _columns(grid: Grid) -> list[float]:
+def _columns(grid: SheetTable) -> list[float]:
     rows = [*grid.rows, *([grid.heads] if grid.heads else [])]
     widths = [max(words_length(row[k], SMALL) for row in rows) + 2.0 * PAD for k in range(len(rows[0]))]
     short = words_length(grid.title, SMALL) + 2.0 * PAD - sum(widths)
@@ -314,7 +316,7 @@ def _columns(grid: Grid) -> list[float]:
     return widths
 
 
-def grid_entities(grid: Grid, corner: complex) -> list[Entity]:
+def grid_entities(grid: SheetTable, corner: complex) -> list[Entity]:
     """Return a table.
 
     Args:
@@ -541,7 +543,7 @@ class Content:
     title: Title
     views: Callable[[float], Rows]
     """Scale -> views in mm of paper, each about its own origin."""
-    grids: tuple[Grid, ...] = ()
+    grids: tuple[SheetTable, ...] = ()
     """In a column at the right, from above."""
     notes: tuple[str, ...] = ()
     largest_scale: float = field(default=2.0)

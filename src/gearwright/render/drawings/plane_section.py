@@ -38,7 +38,7 @@ from gearwright.render.drawings.entities import (
     millimetres,
     trimmed,
 )
-from gearwright.render.drawings.paper import Grid, balloons
+from gearwright.render.drawings.paper import SheetTable, balloons
 from gearwright.render.drawings.positions import TRUE, Lane, Lying, Positions
 from gearwright.render.drawings.shaft_view import MM
 from gearwright.shape import CHAMBER, FLANGES, MOUNT, RIB, Node, Scene, screw_places, short_of
@@ -532,7 +532,7 @@ def exit_notes(closed: Sequence[str]) -> Iterator[str]:
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-def mounts_grid(casing: Casing) -> Grid:
+def mounts_grid(casing: Casing) -> SheetTable:
     """Return the lugs of a housing: from where to where they stand, where their holes are, and how wide.
 
     Args:
@@ -543,7 +543,7 @@ def mounts_grid(casing: Casing) -> Grid:
         middle, radius = lug.hole or (lug.base, 0.0)
         places = (trimmed(MM * (at - casing.start), 1) for at in lug.span)
         rows.append((f"{k}", *places, *(trimmed(MM * at, 1) for at in middle), f"Ø{trimmed(2.0 * MM * radius, 1)}"))
-    return Grid("Mounts [mm]", tuple(rows), ("No.", "From", "To", "y", "z", "Hole"))
+    return SheetTable("Mounts [mm]", tuple(rows), ("No.", "From", "To", "y", "z", "Hole"))
 
 
 def standing_notes(sizing: Sizing, casing: Casing) -> Iterator[str]:

@@ -25,9 +25,9 @@ from gearwright.render.drawings.entities import (
     TRIANGLE,
     Distance,
     Entity,
+    GeometricTolerance,
     Layer,
     Path,
-    Tolerance,
     Words,
     cutting_plane,
     datum,
@@ -40,16 +40,16 @@ from gearwright.render.drawings.entities import (
     words_length,
 )
 from gearwright.render.drawings.gear_sheet import CASE, case_words, hard_line, tooth_grid
-from gearwright.render.drawings.paper import Content, Grid, Rows, Title
+from gearwright.render.drawings.paper import Content, Rows, SheetTable, Title
 from gearwright.render.drawings.shaft_view import (
     ACROSS,
     AT_FACE,
     MM,
-    Axis,
-    Mark,
+    Callout,
+    Keyway,
     Piece,
     ShaftBody,
-    Slot,
+    SheetAxis,
     Toothing,
     end_chamfer,
     key_section,
@@ -122,7 +122,7 @@ def zones(sizing: Sizing, body: ShaftBody) -> tuple[Zone, ...]:
     return tuple(found)
 
 
-def zone_lines(axis: Axis, hard: tuple[Zone, ...]) -> Iterator[Entity]:
+def zone_lines(axis: SheetAxis, hard: tuple[Zone, ...]) -> Iterator[Entity]:
     """Yield the lines below the outline along which a shaft is hardened, with their numbers.
 
     Args:
@@ -138,7 +138,7 @@ def zone_lines(axis: Axis, hard: tuple[Zone, ...]) -> Iterator[Entity]:
         yield from hard_line((ends[0], ends[1]), -1j * along, number)
 
 
-def zone_grid(hard: tuple[Zone, ...]) -> Iterator[Grid]:
+def zone_grid(hard: tuple[Zone, ...]) -> Iterator[SheetTable]:
     """Yield the table of hardened surfaces; none where none is.
 
     Args:
@@ -147,7 +147,7 @@ def zone_grid(hard: tuple[Zone, ...]) -> Iterator[Grid]:
     if hard:
         rows = [(f"{number}", zone.what, zone.words) for number, zone in enumerate(hard, start=1)]
         rows.append(("", "all else", "soft: kept from carburizing (assumed)"))
-        yield Grid("Case-hardened and tempered (ISO 15787)", tuple(rows))
+        yield SheetTable("Case-hardened and tempered (ISO 15787)", tuple(rows))
 
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -209,7 +209,7 @@ def rests(body: ShaftBody) -> tuple[Face, ...]:
     return tuple(found)
 
 
-def lengths(axis: Axis, body: ShaftBody, seats: Sequence[Piece], *, below: float) -> Iterator[Entity]:
+def lengths(axis: SheetAxis, body: ShaftBody, seats: Sequence[Piece], *, below: float) -> Iterator[Entity]:
     """Yield the lengths of a shaft, the functional ones nearest to it.
 
     Args:
@@ -234,7 +234,7 @@ def lengths(axis: Axis, body: ShaftBody, seats: Sequence[Piece], *, below: float
             level -= 1j * LEVEL
 
 
-def _distance(axis: Axis, span: Span, level: complex) -> Distance:
+def _distance(axis: SheetAxis, span: Span, level: complex) -> Distance:
     start, end = (axis.at(x, -radius) for x, radius in zip((span.start, span.end), span.radii, strict=True))
     return Distance(start, end, level, 0.0, axis.scale, suffix=span.suffix)
 
@@ -329,7 +329,7 @@ GROOVE_CLASSES = ((10.0, " h10"), (22.0, " h11"), (100.0, " h12"))
 """Shafts up to this [mm] have grooves of rings of this tolerance class: DIN 471, the last of them from memory."""
 
 
-def surfaces(sizing: Sizing, axis: Axis, body: ShaftBody, seats: Sequence[Piece]) -> Iterator[Entity]:
+def surfaces(sizing: Sizing, axis: SheetAxis, body: ShaftBody, seats: Sequence[Piece]) -> Iterator[Entity]:
     """Yield every diameter and what its surface may run out, written above the shaft.
 
     Args:
@@ -364,7 +364,7 @@ def middle_of(body: ShaftBody, piece: Piece) -> float:
     return piece.start + share * (piece.end - piece.start)
 
 
-def _marks(body: ShaftBody) -> Iterator[Mark]:
+def _marks(body: ShaftBody) -> Iterator[Callout]:
     for before, piece, after in zip((None, *body.pieces), body.pieces, (*body.pieces[1:], None), strict=False):
         neighbours = [neighbour for neighbour in (before, after) if neighbour is not None]
         beside = [neighbour.diameter for neighbour in neighbours if neighbour.tolerance]
@@ -375,9 +375,9 @@ def _marks(body: ShaftBody) -> Iterator[Mark]:
             continue
         if piece.thread is not None:
             if not piece.relieved:
-                yield Mark(x, piece.diameter / 2.0, "", thread_name(piece.thread))
+                yield Callout(x, piece.diameter / 2.0, "", thread_name(piece.thread))
             elif piece.thread.undercut is not None:
-                yield Mark(x, piece.diameter / 2.0, "", piece.thread.undercut.designation)
+                yield Callout(x, piece.diameter / 2.0, "", piece.thread.undercut.designation)
             continue
         if piece.conical:
             x = piece.start if piece.diameters[0] > piece.diameters[1] else piece.end
@@ -385,15 +385,15 @@ def _marks(body: ShaftBody) -> Iterator[Mark]:
         if piece.is_groove:
             shaft = max(neighbour.diameter for neighbour in neighbours)
             suffix = next((text for up_to, text in GROOVE_CLASSES if shaft <= up_to), "")
-        yield Mark(x, piece.diameter / 2.0, suffix, texture=SEAT_TEXTURE if piece.fit else "")
+        yield Callout(x, piece.diameter / 2.0, suffix, texture=SEAT_TEXTURE if piece.fit else "")
     for toothing in body.splines:
         x = toothing.start + 0.75 * (toothing.end - toothing.start)
-        yield Mark(x, MM * toothing.teeth.shaft_tip / 2.0, "", toothing.designation)
+        yield Callout(x, MM * toothing.teeth.shaft_tip / 2.0, "", toothing.designation)
     for cut in body.undercuts:
-        yield Mark(MM * (cut.place + cut.edge) / 2.0, MM * cut.bottom / 2.0, "", cut.standard.designation)
+        yield Callout(MM * (cut.place + cut.edge) / 2.0, MM * cut.bottom / 2.0, "", cut.standard.designation)
 
 
-def _seats(body: ShaftBody) -> Iterator[Mark]:
+def _seats(body: ShaftBody) -> Iterator[Callout]:
     """Yield the total run-out of every bearing seat, on its side away from its shoulder."""
     shouldered = {face.seat: face.away for face in rests(body)}
     for piece in body.pieces:
@@ -401,19 +401,19 @@ def _seats(body: ShaftBody) -> Iterator[Mark]:
             runout = MM * standard_tolerance(piece.diameter / MM, RUNOUT_GRADE) / 2.0
             share = 0.2 if shouldered.get(piece, 1.0) < 0.0 else 0.8
             x = piece.start + share * (piece.end - piece.start)
-            yield Mark(x, piece.diameter / 2.0, "", tolerance=Tolerance("total run-out", runout, AXIS))
+            yield Callout(x, piece.diameter / 2.0, "", tolerance=GeometricTolerance("total run-out", runout, AXIS))
 
 
-def _shoulders(axis: Axis, body: ShaftBody) -> Iterator[Mark]:
+def _shoulders(axis: SheetAxis, body: ShaftBody) -> Iterator[Callout]:
     """Yield the axial run-out of the faces that bearings lean on."""
     for face in rests(body):
         runout = MM * standard_tolerance(face.seat.diameter / MM, RUNOUT_GRADE)
         radius = (face.seat.diameter / 2.0 + face.thick) / 2.0
         x = face.x + face.away * AT_FACE / axis.scale
-        yield Mark(x, radius, "", tolerance=Tolerance("total run-out", runout, AXIS), face=face.away)
+        yield Callout(x, radius, "", tolerance=GeometricTolerance("total run-out", runout, AXIS), face=face.away)
 
 
-def _toothings(sizing: Sizing, body: ShaftBody) -> Iterator[Mark]:
+def _toothings(sizing: Sizing, body: ShaftBody) -> Iterator[Callout]:
     """Yield the run-out of cylindrical teeth by their class, and of splines."""
     for piece in body.pieces:
         if piece.toothed and kind_of(sizing, gear_of(sizing, piece.seat).stage) == "cylindrical":
@@ -422,15 +422,15 @@ def _toothings(sizing: Sizing, body: ShaftBody) -> Iterator[Mark]:
             if grade is not None:
                 teeth = cylindrical_gear(sizing, gear)
                 runout = MM * runout_tolerance(2.0 * teeth.pitch_radius, teeth.module, grade)
-                tolerance = Tolerance("run-out", round(runout, 3), AXIS, "PD")
+                tolerance = GeometricTolerance("run-out", round(runout, 3), AXIS, "PD")
                 x = piece.start + 0.8 * (piece.end - piece.start)
-                yield Mark(x, piece.diameter / 2.0, "", tolerance=tolerance)
+                yield Callout(x, piece.diameter / 2.0, "", tolerance=tolerance)
     for toothing in body.splines:
         size = toothing.teeth.reference_diameter
         if SMALLEST < size <= LARGEST:
-            tolerance = Tolerance("run-out", MM * standard_tolerance(size, SPLINE_GRADE), AXIS, "PD")
+            tolerance = GeometricTolerance("run-out", MM * standard_tolerance(size, SPLINE_GRADE), AXIS, "PD")
             x = toothing.start + 0.25 * (toothing.end - toothing.start)
-            yield Mark(x, MM * toothing.teeth.shaft_tip / 2.0, "", tolerance=tolerance)
+            yield Callout(x, MM * toothing.teeth.shaft_tip / 2.0, "", tolerance=tolerance)
 
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -446,7 +446,7 @@ AIR = 3.0
 """Between what stands in line with the width [mm of paper]."""
 
 
-def keyway_section(slot: Slot, bore: float, letter: str, scale: float, *, datums: str) -> list[Entity]:
+def keyway_section(slot: Keyway, bore: float, letter: str, scale: float, *, datums: str) -> list[Entity]:
     """Return the section of a shaft through a keyway with its dimensions.
 
     Args:
@@ -456,7 +456,7 @@ def keyway_section(slot: Slot, bore: float, letter: str, scale: float, *, datums
         scale: Of the view [-].
         datums: Axis to which it is symmetric; empty where the sheet has none.
     """
-    axis = Axis(0j, 1 + 0j, scale)
+    axis = SheetAxis(0j, 1 + 0j, scale)
     entities = key_section(axis, slot, bore)
     radius, half = slot.diameter / 2.0, MM * slot.section.width / 2.0
     floor = radius - MM * slot.section.shaft_depth
@@ -468,7 +468,7 @@ def keyway_section(slot: Slot, bore: float, letter: str, scale: float, *, datums
     if datums:
         # In line with the dimension of the width: its middle plane is what stands symmetric.
         zone = MM * standard_tolerance(max(slot.section.width, LEAST_WIDTH), SYMMETRY_GRADE) / 2.0
-        tolerance, start = Tolerance("symmetry", zone, datums), above + beyond
+        tolerance, start = GeometricTolerance("symmetry", zone, datums), above + beyond
         entities += [Path((above + scale * half, start), Layer.SYMBOL), *tolerance_frame(start, tolerance)]
         beyond += frame_length(tolerance) + AIR
     low, high = axis.at(0.0, -radius), axis.at(half, floor)
@@ -492,7 +492,7 @@ HOB = 60.0
 """Diameter of a hob for splines; assumed [mm]."""
 
 
-def spline_grids(body: ShaftBody) -> Iterator[Grid]:
+def spline_grids(body: ShaftBody) -> Iterator[SheetTable]:
     """Yield the data of every spline.
 
     Args:
@@ -510,7 +510,7 @@ def spline_grids(body: ShaftBody) -> Iterator[Grid]:
             ("Tip diameter", "d_{a1}", millimetres(MM * teeth.shaft_tip)),
             ("Root diameter, hobbed", "d_{f1}", millimetres(MM * teeth.shaft_root)),
         )
-        yield Grid(f"Spline: {toothing.designation}", rows)
+        yield SheetTable(f"Spline: {toothing.designation}", rows)
 
 
 def run_out_notes(body: ShaftBody) -> Iterator[str]:
@@ -557,7 +557,7 @@ def hob_room(body: ShaftBody, toothing: Toothing) -> float:
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-def thread_lines(axis: Axis, thread: Thread) -> Iterator[Entity]:
+def thread_lines(axis: SheetAxis, thread: Thread) -> Iterator[Entity]:
     """Yield the core of a thread as thin lines, and where its full turns end; turns that run out lean.
 
     Args:
@@ -574,7 +574,7 @@ def thread_lines(axis: Axis, thread: Thread) -> Iterator[Entity]:
         yield Path((axis.at(first, -radius), axis.at(first, radius)), Layer.OUTLINE)
 
 
-def thread_grid(thread: Thread) -> Grid:
+def thread_grid(thread: Thread) -> SheetTable:
     """Return the data of a thread.
 
     Args:
@@ -597,7 +597,7 @@ def thread_grid(thread: Thread) -> Grid:
             ("its radius", "r", millimetres(MM * cut.radius)),
         ]
     rows.append(("Chamfer at its start", "", f"{millimetres(MM * thread_chamfer(nut.pitch))} × 45°"))
-    return Grid(f"Thread: {thread_name(thread)}", tuple(rows))
+    return SheetTable(f"Thread: {thread_name(thread)}", tuple(rows))
 
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -647,7 +647,7 @@ def datum_seats(sizing: Sizing, body: ShaftBody) -> tuple[Piece, ...]:
 
 
 def _views(sizing: Sizing, body: ShaftBody, seats: Sequence[Piece], hard: tuple[Zone, ...], scale: float) -> Rows:
-    axis = Axis(0j, 1 + 0j, scale)
+    axis = SheetAxis(0j, 1 + 0j, scale)
     main = shaft_outline(axis, body)
     main += [line for thread in body.threads for line in thread_lines(axis, thread)]
     main += surfaces(sizing, axis, body, seats)
@@ -670,14 +670,14 @@ def _views(sizing: Sizing, body: ShaftBody, seats: Sequence[Piece], hard: tuple[
     return [[main, *details], *([sections] if sections else [])]
 
 
-def _fits(body: ShaftBody) -> tuple[Grid, ...]:
+def _fits(body: ShaftBody) -> tuple[SheetTable, ...]:
     """Return the limits of every seat; none where no seat has a tolerance."""
     seats = {f"Ø{millimetres(piece.diameter)} {piece.fit}": piece for piece in body.pieces if piece.fit}
     rows = tuple((fit, *_limits(seat)) for fit, seat in seats.items())
-    return (Grid("Fits (ISO 286-2), deviations in µm", rows, ("Fit", "upper", "lower")),) if rows else ()
+    return (SheetTable("Fits (ISO 286-2), deviations in µm", rows, ("Fit", "upper", "lower")),) if rows else ()
 
 
-def _fillets(body: ShaftBody) -> tuple[Grid, ...]:
+def _fillets(body: ShaftBody) -> tuple[SheetTable, ...]:
     """Return the fillets at shoulders that the strength was judged with; equal ones in a row."""
     places: dict[str, list[str]] = {}
     for x, radius in body.fillets:
@@ -685,7 +685,7 @@ def _fillets(body: ShaftBody) -> tuple[Grid, ...]:
         at = x if cone is None else min(cone.start, cone.end, key=lambda end: abs(end - x))
         places.setdefault(f"R{millimetres(radius)}", []).append(millimetres(at))
     rows = tuple((radius, ", ".join(at)) for radius, at in places.items())
-    return (Grid("Fillets at shoulders", rows, ("Radius", "from the first end at")),) if rows else ()
+    return (SheetTable("Fillets at shoulders", rows, ("Radius", "from the first end at")),) if rows else ()
 
 
 def _ends_of(sizing: Sizing, name: str) -> list[Retention]:

@@ -27,10 +27,10 @@ from gearwright.render.drawings.entities import (
     Arc,
     Distance,
     Entity,
+    GeometricTolerance,
     Hatch,
     Layer,
     Path,
-    Tolerance,
     Words,
     arrow,
     extent,
@@ -103,7 +103,7 @@ class Piece:
 
 
 @dataclass(frozen=True)
-class Slot:
+class Keyway:
     """A keyway for a key of DIN 6885, with ends as the key has them."""
 
     start: float
@@ -139,7 +139,7 @@ class ShaftBody:
     """Without gaps, from the first end on."""
     bore: float
     """[mm]"""
-    slots: tuple[Slot, ...] = ()
+    slots: tuple[Keyway, ...] = ()
     splines: tuple[Toothing, ...] = ()
     gears: tuple[str, ...] = ()
     """Gears that are one piece with it."""
@@ -304,11 +304,11 @@ def _overlaid(pieces: list[Piece], toothed: Piece) -> list[Piece]:
     return [*left, toothed, *right]
 
 
-def _slot(joint: JointSizing) -> Slot:
+def _slot(joint: JointSizing) -> Keyway:
     section = key_for_shaft(joint.diameter).section
     half = MM * joint.length / 2.0
     middle = MM * joint.position
-    return Slot(middle - half, middle + half, MM * joint.diameter, section, joint.designation, joint.form)
+    return Keyway(middle - half, middle + half, MM * joint.diameter, section, joint.designation, joint.form)
 
 
 def _toothing(joint: JointSizing, built: BuiltShaft) -> Toothing:
@@ -461,7 +461,7 @@ NEAR = 1e-6
 _TURN = tuple(2.0 * math.pi * k / 96 for k in range(97))
 
 
-class Axis(NamedTuple):
+class SheetAxis(NamedTuple):
     """Where the axis of a part lies on the sheet."""
 
     origin: complex
@@ -489,7 +489,7 @@ class Axis(NamedTuple):
         return self.origin + self.scale * self.along * point
 
 
-def shaft_outline(axis: Axis, body: ShaftBody) -> list[Entity]:
+def shaft_outline(axis: SheetAxis, body: ShaftBody) -> list[Entity]:
     """Return a shaft seen from the side, with its centre line.
 
     Args:
@@ -585,7 +585,7 @@ def _fillet(left: Piece, right: Piece, radius: float) -> list[tuple[float, float
     return [(right.start + x, r) for x, r in arc[::-1]]
 
 
-def _edges(axis: Axis, body: ShaftBody) -> Iterator[Entity]:
+def _edges(axis: SheetAxis, body: ShaftBody) -> Iterator[Entity]:
     """Yield the round edges that are seen as lines across: of shoulders and chamfers."""
     for left, right in pairwise(body.pieces):
         radius = max(left.diameters[1], right.diameters[0]) / 2.0
@@ -604,7 +604,7 @@ def _edges(axis: Axis, body: ShaftBody) -> Iterator[Entity]:
             yield Path((axis.at(at, radius), axis.at(at, -radius)), Layer.OUTLINE)
 
 
-def _pitch_lines(axis: Axis, piece: Piece) -> Iterator[Entity]:
+def _pitch_lines(axis: SheetAxis, piece: Piece) -> Iterator[Entity]:
     if piece.pitch is not None:
         start, end = (pitch / 2.0 for pitch in piece.pitch)
         slope = (end - start) / (piece.end - piece.start)
@@ -619,7 +619,7 @@ def _pitch_lines(axis: Axis, piece: Piece) -> Iterator[Entity]:
             )
 
 
-def _slot_from_above(axis: Axis, slot: Slot) -> Iterator[Entity]:
+def _slot_from_above(axis: SheetAxis, slot: Keyway) -> Iterator[Entity]:
     """Yield a keyway seen from above."""
     half = MM * slot.section.width / 2.0
     if slot.form == "B":
@@ -635,7 +635,7 @@ def _slot_from_above(axis: Axis, slot: Slot) -> Iterator[Entity]:
         yield Arc(axis.at(x), half * axis.scale, Layer.OUTLINE, middle - math.pi / 2.0, middle + math.pi / 2.0)
 
 
-def _spline(axis: Axis, toothing: Toothing) -> Iterator[Entity]:
+def _spline(axis: SheetAxis, toothing: Toothing) -> Iterator[Entity]:
     """Yield root lines of splines, thin, and the pitch line (ISO 6413)."""
     for layer, diameter in ((Layer.THIN, toothing.teeth.shaft_root), (Layer.PITCH, toothing.teeth.pitch_diameter)):
         for side in (-1.0, 1.0):
@@ -646,7 +646,7 @@ def _spline(axis: Axis, toothing: Toothing) -> Iterator[Entity]:
         yield Path((axis.at(x, radius), axis.at(x, -radius)), Layer.OUTLINE)
 
 
-def keyed_rim(axis: Axis, radius: float, half: float) -> list[complex]:
+def keyed_rim(axis: SheetAxis, radius: float, half: float) -> list[complex]:
     """Return the rim of a shaft or bore about the origin of an axis, open where a keyway on top cuts it [mm of paper].
 
     Args:
@@ -659,7 +659,7 @@ def keyed_rim(axis: Axis, radius: float, half: float) -> list[complex]:
     return [axis.at(radius * math.sin(angle), radius * math.cos(angle)) for angle in around]
 
 
-def key_section(axis: Axis, slot: Slot, bore: float = 0.0) -> list[Entity]:
+def key_section(axis: SheetAxis, slot: Keyway, bore: float = 0.0) -> list[Entity]:
     """Return the section of a shaft through a keyway, looking along its axis; the keyway is on top.
 
     Args:
@@ -696,7 +696,7 @@ AT_FACE = 2.5
 """Between the foot of a leader and the face that it points at [mm of paper]."""
 
 
-class Mark(NamedTuple):
+class Callout(NamedTuple):
     """Something written across a shaft: a diameter, or a designation with a leader."""
 
     x: float
@@ -708,13 +708,13 @@ class Mark(NamedTuple):
     words: str = ""
     """Instead of a diameter."""
     texture: str = ""
-    tolerance: Tolerance | None = None
+    tolerance: GeometricTolerance | None = None
     """Of the surface there, instead of words."""
     face: float = 0.0
     """−1 or +1 where a face is meant that lies to the right or to the left of the leader's foot."""
 
 
-def marked(axis: Axis, mark: Mark, place: float, top: float) -> Iterator[Entity]:
+def marked(axis: SheetAxis, mark: Callout, place: float, top: float) -> Iterator[Entity]:
     """Yield a diameter whose line goes on above the shaft, to its slot, with the text along it.
 
     Args:

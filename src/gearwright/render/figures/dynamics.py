@@ -26,7 +26,7 @@ from gearwright.dynamics.vibration import (
     SWING,
     Campbell,
     CriticalSpeed,
-    Order,
+    OrderLine,
     Response,
     RunUp,
     SpeedCase,
@@ -229,7 +229,7 @@ def _draw_campbell(axes: Axes, sizing: Sizing, speed_case: SpeedCase) -> None:
     axes.legend("below", columns=2, size=6.5)
 
 
-def _draw_orders(axes: Axes, sizing: Sizing, orders: Sequence[Order], frame: _Frame) -> None:
+def _draw_orders(axes: Axes, sizing: Sizing, orders: Sequence[OrderLine], frame: _Frame) -> None:
     """Draw the rays: mesh orders named, in the colour of their stage; shafts dotted."""
     stages, end, free = list(sizing.design.stages), axes.get_xlim()[1], 0.0
     for order in largest_first((order for order in orders if order.excitation is None), lambda order: order.frequency):

@@ -45,7 +45,7 @@ _LABEL_GAP = 0.055
 """Least distance of two phase names, over the width of the figure [-]."""
 
 
-class Stretch(NamedTuple):
+class PhaseSpan(NamedTuple):
     """One phase on the axis of time."""
 
     name: str
@@ -56,7 +56,7 @@ class Stretch(NamedTuple):
     """[min]"""
 
 
-def stretches(flight: Flight) -> tuple[Stretch, ...]:
+def stretches(flight: Flight) -> tuple[PhaseSpan, ...]:
     """Return the phases of a flight on its axis of time.
 
     Args:
@@ -65,7 +65,7 @@ def stretches(flight: Flight) -> tuple[Stretch, ...]:
     phases, clock, names = [], 0.0, np.array(flight.phase)
     for name, phase in flight.mission.phases.items():
         length = float(flight.history.duration[names == name].sum()) / _MINUTE
-        phases.append(Stretch(name, "hybrid" if phase.strategy else phase.mode, clock, clock + length))
+        phases.append(PhaseSpan(name, "hybrid" if phase.strategy else phase.mode, clock, clock + length))
         clock += length
     return tuple(phases)
 
@@ -108,7 +108,7 @@ def _panels(flight: Flight, heights: Sequence[float]) -> tuple[Figure, list[Axes
     return figure, axes[1:]
 
 
-def _strip(axes: Axes, parts: Sequence[Stretch], end: float) -> None:
+def _strip(axes: Axes, parts: Sequence[PhaseSpan], end: float) -> None:
     places = apart([(part.start + part.end) / 2.0 for part in parts], _LABEL_GAP * end)
     for part, place in zip(parts, places, strict=True):
         axes.barh(0.0, part.end - part.start, left=part.start, height=1.0, color=MODE_COLOURS[part.mode],

@@ -40,9 +40,9 @@ from gearwright.render.figures.flights import (
 from gearwright.render.grid import Table, table
 from gearwright.render.pages.page import (
     UNSTAMPED,
-    Figure,
     Number,
     Page,
+    PageFigure,
     Section,
     Stamp,
     Tone,
@@ -243,7 +243,7 @@ def _effects(flight: Flight, parts: Durability) -> Iterator[Section]:
     )
 
 
-def _borne(flight: Flight) -> Iterator[Figure]:
+def _borne(flight: Flight) -> Iterator[PageFigure]:
     """Yield S-N curves with the spectrum of the asked life, where the teeth can be rated."""
     try:
         rows: tuple[LoadLife, ...] = load_lives(flight)

@@ -52,7 +52,7 @@ from gearwright.render.figures.motion import (
     phase_figure,
     transmission_error_figure,
 )
-from gearwright.render.pages.page import Figure, Number, Page, Section, Tone, Verdict, environment, figure, set_page
+from gearwright.render.pages.page import Number, Page, PageFigure, Section, Tone, Verdict, environment, figure, set_page
 from gearwright.render.schematic import schematic_figure
 from gearwright.render.tables.dynamics import assumption_table, critical_table, machine_table
 from gearwright.render.tables.weights import summary as mass_summary
@@ -382,7 +382,7 @@ def _paths(sizing: Sizing, system: System, trace: Trace | None, case: str) -> Se
     return Section("Transmission error and paths", figures=tuple(figures))
 
 
-def _errors(sizing: Sizing, lines: Sequence[str], trace: Trace | None, case: str) -> Iterator[Figure]:
+def _errors(sizing: Sizing, lines: Sequence[str], trace: Trace | None, case: str) -> Iterator[PageFigure]:
     """Yield one figure for each stage: its meshes share a mesh frequency."""
     samples, rates = every_step(trace) if trace is not None else None, mesh_frequencies(sizing, case)
     for stage in sizing.design.stages:
@@ -614,7 +614,7 @@ def _planets(counts: PlanetCounts, prefix: str) -> Section:
     return Section(title, notes=_sentences(published_notes()), figures=_drawn((drawn,), prefix))
 
 
-def _drawn(figures: Iterable[Drawn], prefix: str) -> tuple[Figure, ...]:
+def _drawn(figures: Iterable[Drawn], prefix: str) -> tuple[PageFigure, ...]:
     """Draw figures; the prefix keeps their ids apart and the same each time."""
     return tuple(figure(drawn, f"{prefix}-{k}", words) for k, (words, drawn) in enumerate(figures))
 

@@ -160,7 +160,7 @@ class Number:
 
 
 @dataclass(frozen=True)
-class Figure:
+class PageFigure:
     """A figure in the page."""
 
     svg: str
@@ -171,7 +171,7 @@ class Figure:
     """What a page draws anew where a reader points."""
 
 
-def figure(drawing: Drawing, name: str, caption: str) -> Figure:
+def figure(drawing: Drawing, name: str, caption: str) -> PageFigure:
     """Return a figure of a page.
 
     Args:
@@ -179,7 +179,7 @@ def figure(drawing: Drawing, name: str, caption: str) -> Figure:
         name: Goes before its ids.
         caption: Below it.
     """
-    return Figure(theme.to_svg(drawing, name, styled=False), caption, name, drawing)
+    return PageFigure(theme.to_svg(drawing, name, styled=False), caption, name, drawing)
 
 
 @dataclass(frozen=True)
@@ -188,7 +188,7 @@ class Section:
 
     title: str
     tables: tuple[Table, ...] = ()
-    figures: tuple[Figure, ...] = ()
+    figures: tuple[PageFigure, ...] = ()
     notes: tuple[str, ...] = ()
     listed: tuple[str, ...] = ()
     """Sentences as a list, before all else."""
@@ -356,7 +356,7 @@ def set_page(page: Page) -> str:
     )  # fmt: skip
 
 
-def _live(drawn: Iterable[Figure]) -> dict[str, Any]:
+def _live(drawn: Iterable[PageFigure]) -> dict[str, Any]:
     """Return what figures need to answer a pointer, by their names; nothing where none does."""
     numbers = Numbers()
     panels = {each.name: live_panels(each.drawing, numbers) for each in drawn if each.drawing is not None}

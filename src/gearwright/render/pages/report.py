@@ -39,9 +39,9 @@ from gearwright.render.grid import Table, table
 from gearwright.render.pages.motion import dynamics_sections
 from gearwright.render.pages.page import (
     UNSTAMPED,
-    Figure,
     Number,
     Page,
+    PageFigure,
     Section,
     Stamp,
     Tone,
@@ -468,7 +468,7 @@ def _judged(margins: Table, review: Review | None) -> tuple[Table, ...]:
     return (margins,) if review is None else _filled(*review_tables(review.checks))
 
 
-def _flow(sizing: Sizing, case: str) -> Figure:
+def _flow(sizing: Sizing, case: str) -> PageFigure:
     caption = f"Power flow in case {case}: bands as wide as the power, in the colour of its source."
     return figure(power_flow_figure(sizing, case), f"flow-{_safe(case)}", caption)
 
@@ -509,7 +509,7 @@ def _parts(told: Reported, tables: Mapping[str, Table]) -> Iterator[Section]:
     yield _chapter("Places in space", tables, "turns", "places")
 
 
-def _chapter(title: str, tables: Mapping[str, Table], *names: str, figures: tuple[Figure, ...] = ()) -> Section:
+def _chapter(title: str, tables: Mapping[str, Table], *names: str, figures: tuple[PageFigure, ...] = ()) -> Section:
     return Section(title, _filled(*(tables[name] for name in names)), figures)
 
 
@@ -620,7 +620,7 @@ def _sections(review: Review) -> tuple[Section, ...]:
     return tuple(section for section in chapters if section.notes or _rows(section.tables))
 
 
-def _areas(review: Review) -> Figure:
+def _areas(review: Review) -> PageFigure:
     drawn = treemap_figure(review.complete, review.statistics.low, review.statistics.high)
     return figure(drawn, "kilograms", "Every part as an area, in the colour of its group; below, where the whole lies.")
 
@@ -671,6 +671,6 @@ def sheets_page(facts: Particulars, drawn: Sequence[DrawnSheet], *, stamp: Stamp
     )  # fmt: skip
 
 
-def _figure(sheet: DrawnSheet) -> Figure:
+def _figure(sheet: DrawnSheet) -> PageFigure:
     titled = sheet.svg.replace("<svg ", '<svg role="img" ', 1)
-    return Figure(titled, f"{sheet.name}: {sheet.size}, {sheet.scale}.", sheet.name)
+    return PageFigure(titled, f"{sheet.name}: {sheet.size}, {sheet.scale}.", sheet.name)

@@ -27,9 +27,9 @@ from gearwright.render.figures.study import (
 from gearwright.render.grid import table
 from gearwright.render.pages.page import (
     UNSTAMPED,
-    Figure,
     Number,
     Page,
+    PageFigure,
     Section,
     Stamp,
     Tone,
@@ -198,7 +198,7 @@ def _cases(study: Study, table: Table) -> Section:
     return Section("Spread", tables, tuple(figures))
 
 
-def _shapes(study: Study, table: Table) -> list[Figure]:
+def _shapes(study: Study, table: Table) -> list[PageFigure]:
     """Return the objectives, or the first result, over two axes."""
     if len(study.designs) > 1 or len(table.free) != 2 or not _all_numbers(table):
         return []
@@ -446,11 +446,11 @@ def _numbers_of_architectures(ranking: Ranking) -> Iterator[Number]:
         yield quantity(f"{ranking.called(row)}, with machines", row.with_machines or 0.0, "mass", digits=3)
 
 
-def _drawn_trains(ranking: Ranking, closed: Mapping[str, Particulars]) -> Iterator[Figure]:
+def _drawn_trains(ranking: Ranking, closed: Mapping[str, Particulars]) -> Iterator[PageFigure]:
     """Yield the skeletons of the lightest."""
     for row in [row for row in ranking.closed if row.title in closed][:DRAWN]:
         svg = theme.to_svg(schematic_figure(closed[row.title].sizing), row.title)
-        yield Figure(svg, f"{ranking.called(row)}: {_weight(row)}, {row.verdict}.")
+        yield PageFigure(svg, f"{ranking.called(row)}: {_weight(row)}, {row.verdict}.")
 
 
 def _link(ranking: Ranking, turning: str) -> Markup:
@@ -564,7 +564,7 @@ def _sections(optimum: Optimum, said: tuple[str, ...]) -> Iterator[Section]:
     yield Section("How it was found", fits, (growth,))
 
 
-def _front_of_search(optimum: Optimum) -> Iterator[Figure]:
+def _front_of_search(optimum: Optimum) -> Iterator[PageFigure]:
     """Yield the front over the first two objectives, and what its designs have in common."""
     rows = front_rows(optimum)
     chosen = [rows.rows[place] for place in listed(optimum)]

@@ -9,9 +9,9 @@ from gearwright.base import RPM, Origin, text
 from gearwright.catalogue import Engine, Series, all_series
 from gearwright.render.figures.masses import figure_densities, figure_mass_over_power, figure_methods
 from gearwright.render.pages.page import (
-    Figure,
     Number,
     Page,
+    PageFigure,
     Section,
     Tone,
     Verdict as Judged,
@@ -70,7 +70,7 @@ def weights_page(comparison: Comparison) -> str:
     )  # fmt: skip
 
 
-def _figures(comparison: Comparison) -> dict[str, tuple[Figure, ...]]:
+def _figures(comparison: Comparison) -> dict[str, tuple[PageFigure, ...]]:
     """Return chapter -> its figures."""
     methods = (
         "Real weights with the prediction band of their refit, and every method against them. Orange marks: what the"

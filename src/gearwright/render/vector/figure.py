@@ -206,7 +206,7 @@ class Shape(Mark):
 
 
 @dataclass(frozen=True)
-class Words(Mark):
+class TextMark(Mark):
     """A text at a place."""
 
     text: str
@@ -373,7 +373,7 @@ class Axes:
         """Return all that is written on the panel and beside it."""
         named = [name for axis in (self.x, self.y) for name in (axis.label, *(axis.names or ()))]
         keys = [mark.label for mark in self.marks if mark.label]
-        return [word for word in (self.title, *named, *keys, *(mark.text for mark in self.of(Words))) if word]
+        return [word for word in (self.title, *named, *keys, *(mark.text for mark in self.of(TextMark))) if word]
 
     # Marks ----------------------------------------------------------------------------------------------------------
 
@@ -515,7 +515,7 @@ class Axes:
         """Write at a place of the data, or, if ``inside``, at parts of the panel's width and height."""
         frames = ("axes", "axes") if inside else ("data", "data")
         up = va.replace("center_baseline", "center")
-        self._write(Words(words, x, y, frames, (0.0, 0.0), fontsize, color, ha, up, rotation, weight == "bold",
+        self._write(TextMark(words, x, y, frames, (0.0, 0.0), fontsize, color, ha, up, rotation, weight == "bold",
                             parse_math, layer=zorder))  # fmt: skip
 
     def annotate(  # noqa: PLR0913
@@ -525,10 +525,10 @@ class Axes:
         leader: tuple[float, float] | None = None,
     ) -> None:  # fmt: skip
         """Write beside a place, moved by so many points."""
-        self._write(Words(words, *at, frames, shift, fontsize, color, ha, va, rotation, weight == "bold", math,
+        self._write(TextMark(words, *at, frames, shift, fontsize, color, ha, va, rotation, weight == "bold", math,
                             leader, layer=3.0))  # fmt: skip
 
-    def _write(self, words: Words) -> None:
+    def _write(self, words: TextMark) -> None:
         self.marks.append(words)
 
     def picture(self, box: tuple[float, float, float, float], pixels: Any) -> None:

@@ -13,7 +13,7 @@ import numpy as np
 
 from gearwright.base import Floats
 from gearwright.render.vector import figure as m
-from gearwright.render.vector.figure import INK, Axes, Axis, Figure, Pen, Words
+from gearwright.render.vector.figure import INK, Axes, Axis, Figure, Pen, TextMark
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Text on paper: how wide it is, and what of it stands higher or lower.
@@ -32,7 +32,7 @@ _PIECES = re.compile(r"([_^])(?:\{([^}]*)\}|(.))|([^_^]+)")
 _LETTERS = re.compile(r"[A-Za-zα-ω]")
 
 
-class Span(NamedTuple):
+class TextRun(NamedTuple):
     """A piece of a line of text."""
 
     text: str
@@ -48,7 +48,7 @@ def _widths(face: str) -> dict[int, int]:
 
 
 @functools.lru_cache(maxsize=4096)
-def spans(text: str, *, math: bool) -> tuple[Span, ...]:
+def spans(text: str, *, math: bool) -> tuple[TextRun, ...]:
     """Return the pieces of a line.
 
     Args:
@@ -59,16 +59,16 @@ def spans(text: str, *, math: bool) -> tuple[Span, ...]:
     ['z', '2', '/z', '1', ' = 3']
     """
     if not math or "$" not in text:
-        return (Span(text, 0, italic=False),)
-    found: list[Span] = []
+        return (TextRun(text, 0, italic=False),)
+    found: list[TextRun] = []
     for k, part in enumerate(text.split("$")):
         if k % 2 == 0:
-            found += [Span(part, 0, italic=False)] if part else []
+            found += [TextRun(part, 0, italic=False)] if part else []
             continue
         for sign, braced, single, plain in _PIECES.findall(part):
             words = braced or single or plain
             slanted = bool(_LETTERS.search(words)) and not sign
-            found.append(Span(words, {"_": -1, "^": 1}.get(sign, 0), slanted))
+            found.append(TextRun(words, {"_": -1, "^": 1}.get(sign, 0), slanted))
     return tuple(found)
 
 
@@ -223,7 +223,7 @@ Frame = tuple[float, float, float, float]
 
 
 @dataclass(frozen=True)
-class Path:
+class DrawnPath:
     """Lines, or a filled shape."""
 
     pieces: tuple[Floats, ...]
@@ -259,7 +259,7 @@ class Line:
 
     x: float
     y: float
-    spans: tuple[Span, ...]
+    spans: tuple[TextRun, ...]
     size: float
     """[pt]"""
     colour: str
@@ -278,7 +278,7 @@ class Image:
     pixels: np.ndarray
 
 
-Ink = Path | Disc | Line | Image
+Ink = DrawnPath | Disc | Line | Image
 
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -358,7 +358,7 @@ def key_ink(rows: list[m.Mark], columns: int, size: float, *, at: tuple[float, f
 def _sample(row: m.Mark, x: float, y: float) -> list[Ink]:
     if isinstance(row, m.Curve):
         ends = np.array([(x, y), (x + SWATCH, y)])
-        line: list[Ink] = [Path((ends,), replace(row.pen, alpha=1.0))] if row.pen.dash else []
+        line: list[Ink] = [DrawnPath((ends,), replace(row.pen, alpha=1.0))] if row.pen.dash else []
         return line + ([marker_ink(row, x + SWATCH / 2.0, y, None)] if row.marker else [])
     if isinstance(row, m.Dots):
         radius = min(2.0, math.sqrt(float(row.area[0]) / math.pi) * POINT)
@@ -366,7 +366,7 @@ def _sample(row: m.Mark, x: float, y: float) -> list[Ink]:
     fill = row.fill if isinstance(row, m.Box | m.Shape) else row.colour if isinstance(row, m.Fill) else INK
     alpha = row.alpha if isinstance(row, m.Box | m.Fill | m.Shape) else 1.0
     corners = np.array([(x, y - 0.9), (x + SWATCH, y - 0.9), (x + SWATCH, y + 0.9), (x, y + 0.9)])
-    return [Path((corners,), None, fill, alpha, closed=True)]
+    return [DrawnPath((corners,), None, fill, alpha, closed=True)]
 
 
 _CORNERS = {
@@ -389,11 +389,11 @@ def marker_ink(curve: m.Curve, x: float, y: float, clip: Frame | None) -> Ink:
     """
     radius = curve.size * POINT / 2.0
     if curve.marker == "_":
-        return Path((np.array([(x - radius, y), (x + radius, y)]),), m.Pen(curve.face, 1.4, "-", curve.pen.alpha))
+        return DrawnPath((np.array([(x - radius, y), (x + radius, y)]),), m.Pen(curve.face, 1.4, "-", curve.pen.alpha))
     if curve.marker in _CORNERS:
         corners = np.array(_CORNERS[curve.marker]) * radius * 0.9 + (x, y)
         pen = m.Pen(curve.edge, curve.edge_width) if curve.edge else None
-        return Path((corners,), pen, curve.face, curve.pen.alpha, closed=True, clip=clip)
+        return DrawnPath((corners,), pen, curve.face, curve.pen.alpha, closed=True, clip=clip)
     radius *= 0.5 if curve.marker == "." else 1.0
     return Disc(x, y, radius, curve.face, curve.edge, curve.edge_width, curve.pen.alpha, clip)
 
@@ -570,7 +570,7 @@ def words_overhang(axes: Axes, frame: Frame) -> tuple[float, float, float, float
         axes: The panel.
         frame: Its place.
     """
-    boxes = [words_box(words, axes, frame) for words in axes.of(Words) if np.isfinite([words.x, words.y]).all()]
+    boxes = [words_box(words, axes, frame) for words in axes.of(TextMark) if np.isfinite([words.x, words.y]).all()]
     if not boxes:
         return 0.0, 0.0, 0.0, 0.0
     ends = np.array(boxes)
@@ -579,7 +579,7 @@ def words_overhang(axes: Axes, frame: Frame) -> tuple[float, float, float, float
     return tuple(max(0.0, float(value)) for value in reach)  # type: ignore[return-value]
 
 
-def words_at(words: Words, axes: Axes, frame: Frame) -> tuple[float, float]:
+def words_at(words: TextMark, axes: Axes, frame: Frame) -> tuple[float, float]:
     """Return where words are held [mm].
 
     Args:
@@ -595,7 +595,7 @@ def words_at(words: Words, axes: Axes, frame: Frame) -> tuple[float, float]:
     return at[0] + words.shift[0] * POINT, at[1] + words.shift[1] * POINT
 
 
-def words_box(words: Words, axes: Axes, frame: Frame) -> Frame:
+def words_box(words: TextMark, axes: Axes, frame: Frame) -> Frame:
     """Return the box of words, turned ones as well.
 
     Args:

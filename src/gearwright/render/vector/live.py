@@ -193,7 +193,7 @@ def _mark(mark: m.Mark, places: Any, numbers: Numbers, sides: tuple[Axis, Axis])
         yield {"k": "dots", "x": numbers.add(mark.x), "y": numbers.add(mark.y), "s": _short(radius),
                "f": [_colour(face) for face in dict.fromkeys(mark.faces)], "i": _places_of(mark.faces),
                "e": _colour(mark.edge), **_alpha(mark.alpha)}  # fmt: skip
-    elif isinstance(mark, m.Words) and np.isfinite([mark.x, mark.y]).all():
+    elif isinstance(mark, m.TextMark) and np.isfinite([mark.x, mark.y]).all():
         leader = {} if mark.leader is None else {"d": _short(mark.leader), "e": _colour(mark.leader_colour)}
         yield {"k": "word", **leader, "s": mark.text, "b": [*_short((mark.x, mark.y)), *_short(mark.shift)],
                "o": [frame[0] for frame in mark.frames], "j": [mark.across, mark.up, mark.turned, mark.size],

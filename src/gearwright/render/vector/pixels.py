@@ -11,7 +11,7 @@ from matplotlib.patches import Circle, PathPatch, Rectangle
 from matplotlib.path import Path as Outline
 
 from gearwright.render.vector.figure import MUTED, PAPER, Figure
-from gearwright.render.vector.layout import Disc, Image, Ink, Line, Path, Span
+from gearwright.render.vector.layout import Disc, DrawnPath, Image, Ink, Line, TextRun
 from gearwright.render.vector.svg import painted
 
 INCH = 25.4
@@ -66,7 +66,7 @@ def _put(axes: Axes, drop: Ink, layer: int) -> None:
         patch.set_clip_path(Rectangle((left, low), right - left, high - low, transform=axes.transData))
 
 
-def _patch(path: Path, layer: int) -> PathPatch:
+def _patch(path: DrawnPath, layer: int) -> PathPatch:
     parts = []
     for piece in path.pieces:
         codes = np.full(len(piece), Outline.CURVE4 if path.cubic else Outline.LINETO, dtype=Outline.code_type)
@@ -87,7 +87,7 @@ def _patch(path: Path, layer: int) -> PathPatch:
     return patch
 
 
-def _math(span: Span) -> str:
+def _math(span: TextRun) -> str:
     """Return a piece as matplotlib reads it, what is a dollar sign to users left one."""
     if not span.shift and not span.italic:
         return span.text.replace("$", r"\$")

@@ -33,11 +33,11 @@ from gearwright.render.vector.layout import (
     SMALL,
     TICK,
     Disc,
+    DrawnPath,
     Frame,
     Image,
     Ink,
     Line,
-    Path,
     Scale,
     key_ink,
     key_rows,
@@ -203,7 +203,7 @@ def _panel(axes: Axes, frame: Frame) -> Iterator[Ink]:
     if twin is not None:
         layers += [(mark, (scales[0], scales_of(twin, frame)[1])) for mark in twin.marks]
     for mark, pair in sorted(layers, key=lambda entry: entry[0].layer):
-        if isinstance(mark, m.Words):
+        if isinstance(mark, m.TextMark):
             if math.isfinite(mark.x) and math.isfinite(mark.y):
                 yield from _words(mark, axes, frame)
         else:
@@ -226,7 +226,7 @@ def _mark(mark: m.Mark, scales: tuple[Scale, Scale], frame: Frame, *, clipped: b
         points = np.stack([x.places(mark.x), y.places(mark.y)], axis=1) if len(mark.x) else np.zeros((0, 2))
         points = _near(points, frame)
         if mark.pen.dash and len(points):
-            yield Path(tuple(piece for piece in thinned(points) if len(piece) > 1), mark.pen, clip=clip)
+            yield DrawnPath(tuple(piece for piece in thinned(points) if len(piece) > 1), mark.pen, clip=clip)
         if mark.marker:
             for place in points[np.all(np.isfinite(points), axis=1)].tolist():
                 yield marker_ink(mark, place[0], place[1], clip)
@@ -234,13 +234,13 @@ def _mark(mark: m.Mark, scales: tuple[Scale, Scale], frame: Frame, *, clipped: b
         across = x.places(mark.x)
         edges = [_near(np.stack([across, y.places(end)], axis=1), frame) for end in (mark.low, mark.high)]
         lower, upper = (extremes(edge[np.all(np.isfinite(edge), axis=1)]) for edge in edges)
-        yield Path((np.concatenate([lower, upper[::-1]]),), None, mark.colour, mark.alpha, closed=True, clip=clip)
+        yield DrawnPath((np.concatenate([lower, upper[::-1]]),), None, mark.colour, mark.alpha, closed=True, clip=clip)
     elif isinstance(mark, m.Box):
         box = mark.box
         corners = _corners(x.place(box[0]), x.place(box[2]), y.place(box[1]), y.place(box[3]))
         pen = m.Pen(mark.edge, mark.edge_width) if mark.edge and mark.edge_width else None
         if mark.width and mark.height and np.isfinite(corners).all():
-            yield Path(
+            yield DrawnPath(
                 (_near(corners, frame),), pen, mark.fill, mark.alpha, closed=True, hatched=mark.hatched, clip=clip
             )
     elif isinstance(mark, m.Dots):
@@ -258,13 +258,13 @@ def _mark(mark: m.Mark, scales: tuple[Scale, Scale], frame: Frame, *, clipped: b
         if not outside:
             corners = _corners(low, high, frame[1], frame[3]) if k == 0 else _corners(frame[0], frame[2], low, high)
             if mark.low == mark.high:
-                yield Path((corners[[0, 2]],), mark.pen)
+                yield DrawnPath((corners[[0, 2]],), mark.pen)
             else:
-                yield Path((corners,), None, mark.pen.colour, mark.pen.alpha, closed=True)
+                yield DrawnPath((corners,), None, mark.pen.colour, mark.pen.alpha, closed=True)
     elif isinstance(mark, m.Shape):
         points = np.stack([x.places(mark.points[:, 0]), y.places(mark.points[:, 1])], axis=1)
         pen = m.Pen(mark.edge, mark.edge_width) if mark.edge and mark.edge_width else None
-        yield Path((points,), pen, mark.fill, mark.alpha, closed=True, cubic=mark.cubic, clip=clip)
+        yield DrawnPath((points,), pen, mark.fill, mark.alpha, closed=True, cubic=mark.cubic, clip=clip)
     elif isinstance(mark, m.Picture):
         yield Image((x.place(mark.left), y.place(mark.low), x.place(mark.right), y.place(mark.high)), mark.pixels)
 
@@ -282,12 +282,12 @@ def _corners(left: float, right: float, low: float, high: float) -> np.ndarray:
     return np.array([(left, low), (right, low), (right, high), (left, high)])
 
 
-def _words(words: m.Words, axes: Axes, frame: Frame) -> Iterator[Ink]:
+def _words(words: m.TextMark, axes: Axes, frame: Frame) -> Iterator[Ink]:
     x, y = words_at(words, axes, frame)
     if words.leader is not None:
         scales = scales_of(axes, frame)
         start = (scales[0].place(words.leader[0]), scales[1].place(words.leader[1]))
-        yield Path((np.array([start, (x, y)]),), m.Pen(words.leader_colour, 0.4))
+        yield DrawnPath((np.array([start, (x, y)]),), m.Pen(words.leader_colour, 0.4))
     lines = words.text.split("\n")
     high = line_height(words.size)
     top = {"top": -0.78, "bottom": len(lines) - 0.78, "center": 0.5 * len(lines) - 0.78, "baseline": 0.0}[
@@ -316,7 +316,7 @@ def _grid(axes: Axes, frame: Frame, scales: tuple[Scale, Scale]) -> Iterator[Ink
             at = scales[1].place(value)
             lines.append(np.array([(frame[0], at), (frame[2], at)]))
     if lines:
-        yield Path(tuple(lines), m.Pen(HAIR, 0.5))
+        yield DrawnPath(tuple(lines), m.Pen(HAIR, 0.5))
 
 
 def _axes(axes: Axes, frame: Frame, scales: tuple[Scale, Scale]) -> Iterator[Ink]:
@@ -345,7 +345,7 @@ def _axes(axes: Axes, frame: Frame, scales: tuple[Scale, Scale]) -> Iterator[Ink
         spines.append(np.array([(frame[2], frame[1]), (frame[2], frame[3])]))
         yield from _upright(axes.twin, frame, scales_of(axes.twin, frame)[1], spines, side=1.0)
     if spines:
-        yield Path(tuple(spines), _THIN)
+        yield DrawnPath(tuple(spines), _THIN)
 
 
 def _upright(axes: Axes, frame: Frame, scale: Scale, spines: list[np.ndarray], *, side: float) -> Iterator[Ink]:
@@ -538,7 +538,7 @@ class _Writer:
 
     def _element(self, drop: Ink) -> tuple[str, str]:
         """Return an element with a place for its look, and the look."""
-        if isinstance(drop, Path):
+        if isinstance(drop, DrawnPath):
             return self._path(drop)
         if isinstance(drop, Disc):
             look = self._look("fill", drop.fill) + _opacity(drop.alpha)
@@ -550,7 +550,7 @@ class _Writer:
             return self._image(drop), ""
         return self._line(drop)
 
-    def _path(self, path: Path) -> tuple[str, str]:
+    def _path(self, path: DrawnPath) -> tuple[str, str]:
         shape = (
             self._round(path) or f'path d="{"".join(self._piece(piece, path) for piece in path.pieces if len(piece))}"'
         )
@@ -561,7 +561,7 @@ class _Writer:
         pen = " " + self._stroke(path.pen) if path.pen is not None else ""
         return f"<{shape}{LOOK}/>", _one_class(look + pen)
 
-    def _round(self, path: Path) -> str:
+    def _round(self, path: DrawnPath) -> str:
         """Return the element of an ellipse; nothing for other paths."""
         points = path.pieces[0] if path.cubic and len(path.pieces) == 1 else np.zeros((0, 2))
         if len(points) != ROUND:
@@ -575,7 +575,7 @@ class _Writer:
         radii = np.round(np.abs(size) / 2.0 * UNITS).astype(int)
         return f'ellipse cx="{self._x(centre[0])}" cy="{self._y(centre[1])}" rx="{radii[0]}" ry="{radii[1]}"'
 
-    def _piece(self, points: np.ndarray, path: Path) -> str:
+    def _piece(self, points: np.ndarray, path: DrawnPath) -> str:
         grid = np.stack([np.round(points[:, 0] * UNITS), np.round((self.figure.height - points[:, 1]) * UNITS)], axis=1)
         grid = grid if path.cubic else straightened(grid)
         steps = np.diff(grid.astype(int), axis=0)

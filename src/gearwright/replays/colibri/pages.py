@@ -13,7 +13,7 @@ from markupsafe import Markup
 
 from gearwright.render.pages.page import Number, Page, Section, Tone, Verdict, environment, set_page
 from gearwright.replays.colibri import replay as words
-from gearwright.replays.colibri.replay import Outcome, Replay, Replayed, finding_in_unit, reason_keys, replay
+from gearwright.replays.colibri.replay import ColibriReplay, Outcome, Replayed, finding_in_unit, reason_keys, replay
 from gearwright.replays.colibri.report import SOURCE, Step
 from gearwright.version import __version__
 
@@ -118,7 +118,7 @@ def _environment() -> Environment:
 
 
 @dataclass(frozen=True)
-class PrintedNumber:
+class ComparedNumber:
     """A number of the report beside the computed one."""
 
     key: str
@@ -176,13 +176,13 @@ class ColibriAnswer:
 
     counts: Mapping[str, int]
     """Verdict -> numbers, of the whole report."""
-    numbers: tuple[PrintedNumber, ...]
+    numbers: tuple[ComparedNumber, ...]
     findings: tuple[Held, ...]
     errata: tuple[Mistake, ...]
     assumptions: tuple[Taken, ...]
 
 
-def colibri_answer(numbers: Sequence[Replayed], replayed: Replay) -> ColibriAnswer:
+def colibri_answer(numbers: Sequence[Replayed], replayed: ColibriReplay) -> ColibriAnswer:
     """Return what `gearwright replay colibri --json` answers.
 
     Args:
@@ -198,11 +198,11 @@ def colibri_answer(numbers: Sequence[Replayed], replayed: Replay) -> ColibriAnsw
     )
 
 
-def _number(number: Replayed) -> PrintedNumber:
+def _number(number: Replayed) -> ComparedNumber:
     def value(step: Step) -> float:
         return step.value / number.printed.scale
 
-    return PrintedNumber(
+    return ComparedNumber(
         key=number.printed.key,
         place=number.printed.place,
         symbol=number.printed.symbol,

@@ -624,7 +624,7 @@ class Replayed:
 
 
 @dataclass(frozen=True)
-class Replay:
+class ColibriReplay:
     """The whole report, computed."""
 
     numbers: tuple[Replayed, ...]
@@ -646,7 +646,7 @@ class Replay:
 
 
 @cache
-def replay() -> Replay:
+def replay() -> ColibriReplay:
     """Return the report computed from its stated inputs; takes some hundredths of a second."""
     facts, steps, right = colibri_facts(), executed(), correct_values()
     errata = tuple(replace(one, why=one.why.format(**facts)) for one in colibri_errata())
@@ -659,7 +659,7 @@ def replay() -> Replay:
         key: replace(assumption, evidence=assumption.evidence.format(**facts))
         for key, assumption in assumptions().items()
     }
-    return Replay(numbers, findings(), errata, hidden)
+    return ColibriReplay(numbers, findings(), errata, hidden)
 
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -680,7 +680,7 @@ _EXACT = 5e-13
 """Relative difference below which only floating-point rounding is left [-]."""
 
 
-def chosen(replayed: Replay, *, part: str = "", wrong: bool = False) -> tuple[Replayed, ...]:
+def chosen(replayed: ColibriReplay, *, part: str = "", wrong: bool = False) -> tuple[Replayed, ...]:
     """Return the numbers of one part, or of all, and all or only the wrong ones.
 
     Args:
@@ -695,7 +695,7 @@ def chosen(replayed: Replay, *, part: str = "", wrong: bool = False) -> tuple[Re
     )
 
 
-def replay_tables(numbers: Sequence[Replayed], replayed: Replay) -> Group:
+def replay_tables(numbers: Sequence[Replayed], replayed: ColibriReplay) -> Group:
     """Return numbers for the terminal, a table for each part, then the reasons that they name.
 
     Args:
@@ -734,7 +734,7 @@ def finding_cells(finding: Finding) -> tuple[str, str, str, str]:
     )
 
 
-def counts_text(replayed: Replay) -> str:
+def counts_text(replayed: ColibriReplay) -> str:
     """Return how many numbers are what, in one sentence.
 
     Args:
@@ -816,7 +816,7 @@ def _cells(number: Replayed) -> Iterator[str]:
     yield from (difference_text(number), " ".join((verdict, *reason_keys(number))), correct_text(number))
 
 
-def _reasons(numbers: Sequence[Replayed], replayed: Replay) -> Grid:
+def _reasons(numbers: Sequence[Replayed], replayed: ColibriReplay) -> Grid:
     named = {key for number in numbers for key in reason_keys(number)}
     table = Grid("Reasons", show_header=False, spaced=True)
     table.add_column("")

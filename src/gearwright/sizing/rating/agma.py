@@ -222,7 +222,7 @@ class YieldingCase:
     """Safety against yielding of both gears [-]."""
 
 
-class Rated(Protocol):
+class YieldingMesh(Protocol):
     """A mesh with its worst static case."""
 
     @property
@@ -248,7 +248,7 @@ def worst_yielding(mesh: LoadedMesh) -> YieldingCase | None:
     return smallest(cases, lambda case: min(case.safeties)) if cases else None
 
 
-def yielding_checks(rated: Rated, gears: tuple[PartId, PartId]) -> Iterator[Check]:
+def yielding_checks(rated: YieldingMesh, gears: tuple[PartId, PartId]) -> Iterator[Check]:
     """Yield the judgements on yielding.
 
     Args:

@@ -199,7 +199,7 @@ class StaticCase:
     """Of both gears."""
 
 
-class _Asked(NamedTuple):
+class _StaticJudgement(NamedTuple):
     """A judgement on static strength."""
 
     mode: str
@@ -209,7 +209,7 @@ class _Asked(NamedTuple):
     least: float
 
 
-class Rated(Protocol):
+class StaticMesh(Protocol):
     """A mesh with its worst static case."""
 
     @property
@@ -243,7 +243,7 @@ def _static_asked(rating: Rating) -> tuple[float, float, float]:
     return rules.static_pitting_safety, rules.static_bending_safety, rules.yielding_safety
 
 
-def static_checks(rated: Rated, gears: tuple[PartId, PartId]) -> Iterator[Check]:
+def static_checks(rated: StaticMesh, gears: tuple[PartId, PartId]) -> Iterator[Check]:
     """Yield every judgement on static strength.
 
     Args:
@@ -260,13 +260,15 @@ def static_checks(rated: Rated, gears: tuple[PartId, PartId]) -> Iterator[Check]
             )  # fmt: skip
 
 
-def _judged(strength: StaticStrength, asked: tuple[float, float, float]) -> Iterator[_Asked]:
+def _judged(strength: StaticStrength, asked: tuple[float, float, float]) -> Iterator[_StaticJudgement]:
     flank, root = float(strength.contact_safety), float(strength.bending_safety)
-    yield _Asked("static pitting", "ISO 6336-2, clauses 5 and 11", "S_H", flank, asked[0])
-    yield _Asked("static tooth root", "ISO 6336-3, clauses 5 and 11", "S_F", root, asked[1])
+    yield _StaticJudgement("static pitting", "ISO 6336-2, clauses 5 and 11", "S_H", flank, asked[0])
+    yield _StaticJudgement("static tooth root", "ISO 6336-3, clauses 5 and 11", "S_F", root, asked[1])
     if strength.yielding_safety is not None:
         yielding = float(strength.yielding_safety)
-        yield _Asked("yielding root", "nominal stress of the critical section, R_p0.2", "S_y", yielding, asked[2])
+        yield _StaticJudgement(
+            "yielding root", "nominal stress of the critical section, R_p0.2", "S_y", yielding, asked[2]
+        )
 
 
 def _margin(case: StaticCase, asked: tuple[float, float, float]) -> float:

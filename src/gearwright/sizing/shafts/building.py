@@ -24,9 +24,9 @@ from gearwright.sizing.shaft_results import BearingSizing, BuiltShaft, JointSizi
 from gearwright.sizing.shafts.retention import holding_room
 from gearwright.sizing.shafts.sections import (
     NO_LIMIT,
-    Borne,
     HubNotch,
-    Seat,
+    JointSeat,
+    LoadedSection,
     Section,
     Strength,
     borne,
@@ -40,7 +40,17 @@ from gearwright.sizing.shafts.sections import (
     spline_root,
     strengths,
 )
-from gearwright.sizing.shafts.stretches import LARGEST_BODY, SAME, Bent, Item, Stretch, Wanted, bend, lay, slope_excess
+from gearwright.sizing.shafts.stretches import (
+    LARGEST_BODY,
+    SAME,
+    BentShaft,
+    SeatedPart,
+    ShaftStretch,
+    Wanted,
+    bend,
+    lay,
+    slope_excess,
+)
 from gearwright.spec.checks import MOST_HOLLOW
 from gearwright.spec.design import LOCATES, NOTHING_GIVEN, Joint
 
@@ -58,7 +68,9 @@ _SAME = 1e-9
 """Lengths that differ by less are the same [m]."""
 
 
-def cylinder(items: Sequence[Item], length: float, diameter: float, seats: Mapping[str, float]) -> tuple[Stretch, ...]:
+def cylinder(
+    items: Sequence[SeatedPart], length: float, diameter: float, seats: Mapping[str, float]
+) -> tuple[ShaftStretch, ...]:
     """Return the stretches of a shaft of one diameter.
 
     Args:
@@ -68,25 +80,25 @@ def cylinder(items: Sequence[Item], length: float, diameter: float, seats: Mappi
         seats: Hub -> its own diameter, where the user gives one [m].
     """
     shared = [(item.end + after.start) / 2.0 for item, after in pairwise(items)]
-    stretches, reached, before = list[Stretch](), 0.0, ""
+    stretches, reached, before = list[ShaftStretch](), 0.0, ""
     for item, limit in zip(items, (*shared, length), strict=True):
         start = max(item.start, reached)
         end = max(min(item.end, limit), start)
-        stretches += [Stretch(f"after {before}".strip(), "between", reached, start, diameter)]
-        stretches += [Stretch(item.name, item.kind, start, end, _own(item, diameter, seats))]
+        stretches += [ShaftStretch(f"after {before}".strip(), "between", reached, start, diameter)]
+        stretches += [ShaftStretch(item.name, item.kind, start, end, _own(item, diameter, seats))]
         reached, before = end, item.name
-    stretches.append(Stretch(f"after {before}".strip(), "between", reached, length, diameter))
+    stretches.append(ShaftStretch(f"after {before}".strip(), "between", reached, length, diameter))
     return tuple(stretch for stretch in stretches if stretch.length > _SAME)
 
 
-def _own(item: Item, diameter: float, seats: Mapping[str, float]) -> float:
+def _own(item: SeatedPart, diameter: float, seats: Mapping[str, float]) -> float:
     """Return the diameter of a seat; a gear of one piece stiffens its shaft as far as its roots."""
     if item.kind == "integral":
         return max(diameter, min(item.limit, LARGEST_BODY * diameter))
     return seats.get(item.name, diameter)
 
 
-def room_checks(shaft: str, items: Sequence[Item], length: float) -> Iterator[Check]:
+def room_checks(shaft: str, items: Sequence[SeatedPart], length: float) -> Iterator[Check]:
     """Yield whether parts have room beside each other and between the ends of their shaft.
 
     Args:
@@ -94,7 +106,7 @@ def room_checks(shaft: str, items: Sequence[Item], length: float) -> Iterator[Ch
         items: What sits on it, in order.
         length: Of the shaft [m].
     """
-    ends = (Item("first end", "between", 0.0, 0.0), *items, Item("second end", "between", length, 0.0))
+    ends = (SeatedPart("first end", "between", 0.0, 0.0), *items, SeatedPart("second end", "between", length, 0.0))
     part, clause = PartId(Kind.SHAFT, shaft), "half of both widths"
     for left, right in pairwise(ends):
         apart, needed = right.middle - left.middle, (left.width + right.width) / 2.0
@@ -117,7 +129,7 @@ def seat_checks(seat: float, bearings: Mapping[str, Bearing]) -> Iterator[Check]
         )  # fmt: skip
 
 
-def joint_checks(joint: Joint, seat: Seat, sized: JointSizing) -> Iterator[Check]:
+def joint_checks(joint: Joint, seat: JointSeat, sized: JointSizing) -> Iterator[Check]:
     """Yield whether a shaft stays inside the roots of its gear, and whether a key is one that can be had.
 
     Args:
@@ -155,7 +167,7 @@ SEAL_PLATE = 8e-3
 
 
 @dataclass(frozen=True)
-class Task:
+class ShaftTask:
     """What one shaft is built from."""
 
     context: Context
@@ -170,7 +182,7 @@ class Task:
     """Hub or gear on this shaft -> its joint."""
     checked: Checked = field(default_factory=dict)
     """How sizes of bearings bear what they were tried for."""
-    bent: dict[tuple[tuple[Stretch, ...], float], Bent] = field(default_factory=dict)
+    bent: dict[tuple[tuple[ShaftStretch, ...], float], BentShaft] = field(default_factory=dict)
     """Stretches and bore -> the shaft bent, as far as tried."""
 
     @property
@@ -179,7 +191,7 @@ class Task:
         return self.core if self.context.design.layout.get(self.name, NOTHING_GIVEN).as_given else None
 
     @cached_property
-    def seats(self) -> Mapping[str, Seat]:
+    def seats(self) -> Mapping[str, JointSeat]:
         """Joint -> where it sits and what it bears, on a shaft without bore."""
         return {part: _seat(self, part) for part in self.joints}
 
@@ -199,15 +211,15 @@ class Task:
 class Attempt(NamedTuple):
     """A shaft as it was laid once."""
 
-    stretches: tuple[Stretch, ...]
+    stretches: tuple[ShaftStretch, ...]
     chosen: Mapping[str, Bearing]
     bore: float
     sections: tuple[Section, ...]
-    borne: tuple[Borne, ...]
+    borne: tuple[LoadedSection, ...]
     joints: tuple[JointSizing, ...]
 
 
-def attempt_with(task: Task, seated: Seating, needed: Mapping[str, float]) -> Attempt:
+def attempt_with(task: ShaftTask, seated: Seating, needed: Mapping[str, float]) -> Attempt:
     """Return a shaft laid for what its stretches need so far.
 
     Args:
@@ -318,7 +330,7 @@ def _cut(side: list[Stretch], at: int, diameter: float, length: float, what: str
     return [*side[: at - 1], parts[0], inner, *side[at:]]
 
 
-def _judged(task: Task, stretches: tuple[Stretch, ...], chosen: Mapping[str, Bearing]) -> Attempt:
+def _judged(task: ShaftTask, stretches: tuple[ShaftStretch, ...], chosen: Mapping[str, Bearing]) -> Attempt:
     """Return a shaft with its bore, joints and judged sections."""
     bore = _bore(task, chosen)
     joints = tuple(_joint(task, joint, stretches, bore) for joint in task.joints)
@@ -335,7 +347,7 @@ def _judged(task: Task, stretches: tuple[Stretch, ...], chosen: Mapping[str, Bea
     return Attempt(stretches, chosen, bore, sections, borne(sections, task.forces, task.judge, bore=bore), joints)
 
 
-def _laid(task: Task, seated: Seating, wanted: Wanted) -> tuple[tuple[Stretch, ...], dict[str, Bearing]]:
+def _laid(task: ShaftTask, seated: Seating, wanted: Wanted) -> tuple[tuple[ShaftStretch, ...], dict[str, Bearing]]:
     """Return the stretches of the shaft and its bearings; of one that is taken as given, what is given."""
     diameter = task.as_given
     if diameter is None:
@@ -344,7 +356,7 @@ def _laid(task: Task, seated: Seating, wanted: Wanted) -> tuple[tuple[Stretch, .
     return cylinder(wanted.items, wanted.length, diameter, wanted.fixed), chosen
 
 
-def items_on(task: Task, chosen: Mapping[str, Bearing]) -> tuple[Item, ...]:
+def items_on(task: ShaftTask, chosen: Mapping[str, Bearing]) -> tuple[SeatedPart, ...]:
     """Return what sits on the shaft and has a width, in order.
 
     Args:
@@ -353,7 +365,7 @@ def items_on(task: Task, chosen: Mapping[str, Bearing]) -> tuple[Item, ...]:
     """
     plan = task.forces.plan
     items = [
-        Item(name, "bearing", seat.position, chosen[name].width if name in chosen else 0.0)
+        SeatedPart(name, "bearing", seat.position, chosen[name].width if name in chosen else 0.0)
         for name, seat in plan.seats.items()
     ]
     for name, joint in task.joints.items():
@@ -361,13 +373,13 @@ def items_on(task: Task, chosen: Mapping[str, Bearing]) -> tuple[Item, ...]:
         width = _width(task, name)
         middle = min(max(plan.places[name], width / 2.0), plan.length - width / 2.0)
         if joint.kind == "integral" and gear is not None:
-            items.append(Item(name, "integral", middle, width, root_diameter(task.context, gear)))
+            items.append(SeatedPart(name, "integral", middle, width, root_diameter(task.context, gear)))
         elif joint.kind != "integral" and width:
-            items.append(Item(name, "hub", middle, width))
+            items.append(SeatedPart(name, "hub", middle, width))
     return tuple(sorted(items, key=lambda item: item.middle))
 
 
-def _width(task: Task, name: str) -> float:
+def _width(task: ShaftTask, name: str) -> float:
     """Return the width of a gear, or of a machine's hub [m]."""
     if name in task.gears:
         gear = task.gears[name]
@@ -375,7 +387,7 @@ def _width(task: Task, name: str) -> float:
     return task.joints[name].hub_length or 0.0
 
 
-def _wanted(task: Task, items: tuple[Item, ...], needed: Mapping[str, float]) -> Wanted:
+def _wanted(task: ShaftTask, items: tuple[SeatedPart, ...], needed: Mapping[str, float]) -> Wanted:
     fixed = {
         name: joint.diameter
         for name, joint in task.joints.items()
@@ -387,7 +399,7 @@ def _wanted(task: Task, items: tuple[Item, ...], needed: Mapping[str, float]) ->
     return Wanted(items, plan.length, {**needed, **ends}, fixed, task.core, plan.bearings, passes)
 
 
-def _leaves(task: Task) -> tuple[bool, bool]:
+def _leaves(task: ShaftTask) -> tuple[bool, bool]:
     """Tell at which ends the shaft leaves the housing, beyond all its bearings, through a radial seal."""
     design, plan = task.context.design, task.forces.plan
     machines = [plan.places[name] for name, node in task.context.train.machines.items() if node == task.name]
@@ -397,7 +409,7 @@ def _leaves(task: Task) -> tuple[bool, bool]:
     return min(machines) < min(seats), max(machines) > max(seats)
 
 
-def _loaded(task: Task, items: tuple[Item, ...]) -> tuple[str, ...]:
+def _loaded(task: ShaftTask, items: tuple[SeatedPart, ...]) -> tuple[str, ...]:
     """Return the stretches beyond the outermost items that carry a load, and every hub."""
     stations = task.stations
     hubs = tuple(item.name for item in items if item.kind == "hub")
@@ -406,7 +418,7 @@ def _loaded(task: Task, items: tuple[Item, ...]) -> tuple[str, ...]:
     return (*hubs, *first, *last)
 
 
-def _bore(task: Task, chosen: Mapping[str, Bearing]) -> float:
+def _bore(task: ShaftTask, chosen: Mapping[str, Bearing]) -> float:
     """Return the bore: given, or its ratio to the thinnest bearing seat [m]."""
     layout, rules = task.context.design.layout.get(task.name, NOTHING_GIVEN), task.context.design.shafting
     if layout.bore is not None:
@@ -415,7 +427,7 @@ def _bore(task: Task, chosen: Mapping[str, Bearing]) -> float:
     return ratio * (task.as_given or min(bearing.bore for bearing in chosen.values()))
 
 
-def _joint(task: Task, part: str, stretches: tuple[Stretch, ...], bore: float) -> JointSizing:
+def _joint(task: ShaftTask, part: str, stretches: tuple[ShaftStretch, ...], bore: float) -> JointSizing:
     place = task.forces.plan.places[part]
     seat = seat_of(task, part, bore)
     on = next((stretch for stretch in stretches if stretch.name == part), None)
@@ -423,7 +435,7 @@ def _joint(task: Task, part: str, stretches: tuple[Stretch, ...], bore: float) -
     return size_joint(task.joints[part], seat, on.diameter, task.material)
 
 
-def seat_of(task: Task, part: str, bore: float) -> Seat:
+def seat_of(task: ShaftTask, part: str, bore: float) -> JointSeat:
     """Return where a joint sits and what it bears.
 
     Args:
@@ -434,10 +446,10 @@ def seat_of(task: Task, part: str, bore: float) -> Seat:
     return task.seats[part]._replace(bore=bore)
 
 
-def _seat(task: Task, part: str) -> Seat:
+def _seat(task: ShaftTask, part: str) -> JointSeat:
     gear, joint, plan = task.gears.get(part), task.joints[part], task.forces.plan
     width = _width(task, part)
-    return Seat(
+    return JointSeat(
         part=part,
         shaft=task.name,
         position=plan.places[part],
@@ -474,7 +486,7 @@ _OVERLAP = 1e-6
 """How far parts may stand into each other [m]."""
 
 
-def refuse_overlaps(items: Sequence[Item], length: float) -> None:
+def refuse_overlaps(items: Sequence[SeatedPart], length: float) -> None:
     """Raise where parts stand into each other or out over an end of the shaft.
 
     Args:
@@ -497,7 +509,7 @@ def refuse_overlaps(items: Sequence[Item], length: float) -> None:
     refuse(problems)
 
 
-def refuse_thin(shaft: str, stretches: Sequence[Stretch], *, bore: float) -> None:
+def refuse_thin(shaft: str, stretches: Sequence[ShaftStretch], *, bore: float) -> None:
     """Raise where the bore leaves too thin a wall.
 
     Args:
@@ -518,14 +530,14 @@ def refuse_thin(shaft: str, stretches: Sequence[Stretch], *, bore: float) -> Non
         raise DesignError([Problem(f"layout.{shaft}.bore_mm", message)])
 
 
-def _close(item: Item, neighbour: str, over: float, place: float) -> str:
+def _close(item: SeatedPart, neighbour: str, over: float, place: float) -> str:
     return (
         f"{item.name} is {1e3 * item.width:.4g} mm wide and stands {1e3 * over:.3g} mm into {neighbour}; put its middle"
         f" at {1e3 * place:.4g} mm, or make room"
     )
 
 
-def _path(item: Item) -> str:
+def _path(item: SeatedPart) -> str:
     return f"bearings.{item.name}.position" if item.kind == "bearing" else f"layout.places.{item.name}"
 
 
@@ -583,7 +595,7 @@ def build_shaft(
     borne = {place: gears[place] for place in forces.plan.places if place in gears}
     joints = {gear: context.design.joints.get(gear, Joint(kind="integral")) for gear in borne}
     joints |= {part: joint for part, joint in context.design.joints.items() if part in forces.plan.places}
-    task = Task(context, name, forces, material, borne, core, joints)
+    task = ShaftTask(context, name, forces, material, borne, core, joints)
     settled: list[tuple[bool, Seating, Attempt]] = []
     refused: dict[bool, DesignError] = {}
     for slim in (True, False):
@@ -608,7 +620,7 @@ def _weight(seated: Seating, attempt: Attempt, material: Material) -> float:
     return metal + sum(attempt.chosen[name].mass for name in seated.seats)
 
 
-def _settled(task: Task, *, slim: bool) -> tuple[Seating, Attempt]:
+def _settled(task: ShaftTask, *, slim: bool) -> tuple[Seating, Attempt]:
     """Return a shaft whose taper bearings bear the thrust that they make themselves."""
     chosen: Mapping[str, Bearing] = {}
     tried: list[Mapping[str, str]] = []
@@ -622,7 +634,7 @@ def _settled(task: Task, *, slim: bool) -> tuple[Seating, Attempt]:
     return seating(task.context, task.name, task.forces, chosen, slim=slim, known=task.checked), attempt
 
 
-def _stiff(task: Task, seated: Seating) -> Attempt:
+def _stiff(task: ShaftTask, seated: Seating) -> Attempt:
     """Return a shaft that is strong and, as far as that can be had, stiff."""
     attempt = _strong(task, seated, {})
     for _ in range(ROUNDS):
@@ -641,7 +653,7 @@ def _stiff(task: Task, seated: Seating) -> Attempt:
     return attempt
 
 
-def _bent(task: Task, attempt: Attempt) -> Bent:
+def _bent(task: ShaftTask, attempt: Attempt) -> BentShaft:
     """Return the shaft bent by what acts on it, once for each shape."""
     shape = attempt.stretches, attempt.bore
     if shape not in task.bent:
@@ -649,12 +661,12 @@ def _bent(task: Task, attempt: Attempt) -> Bent:
     return task.bent[shape]
 
 
-def _free(attempt: Attempt) -> tuple[Stretch, ...]:
+def _free(attempt: Attempt) -> tuple[ShaftStretch, ...]:
     """Return the stretches that may grow; gears of one piece grow with what lies beside them."""
     return tuple(stretch for stretch in attempt.stretches if stretch.kind != "integral")
 
 
-def _strong(task: Task, seated: Seating, needed: Mapping[str, float]) -> Attempt:
+def _strong(task: ShaftTask, seated: Seating, needed: Mapping[str, float]) -> Attempt:
     """Return a shaft in which every section is strong enough and every joint holds."""
     wanted, before = dict(needed), None
     for _ in range(ROUNDS):
@@ -666,7 +678,7 @@ def _strong(task: Task, seated: Seating, needed: Mapping[str, float]) -> Attempt
     return attempt
 
 
-def _grown(task: Task, attempt: Attempt, wanted: Mapping[str, float]) -> dict[str, float]:
+def _grown(task: ShaftTask, attempt: Attempt, wanted: Mapping[str, float]) -> dict[str, float]:
     """Return what must be thicker."""
     service = task.context.design.service
     diameters = {stretch.name: stretch.diameter for stretch in attempt.stretches}
@@ -686,7 +698,7 @@ def _grown(task: Task, attempt: Attempt, wanted: Mapping[str, float]) -> dict[st
     return thicker
 
 
-def _finished(task: Task, seated: Seating, attempt: Attempt) -> Built:
+def _finished(task: ShaftTask, seated: Seating, attempt: Attempt) -> Built:
     """Return what was built, or say what does not fit."""
     if task.as_given is None:
         _refuse(task, attempt)
@@ -712,7 +724,7 @@ def _finished(task: Task, seated: Seating, attempt: Attempt) -> Built:
     )
 
 
-def _refuse(task: Task, attempt: Attempt) -> None:
+def _refuse(task: ShaftTask, attempt: Attempt) -> None:
     """Raise where parts do not fit."""
     refuse_overlaps(items_on(task, attempt.chosen), task.forces.plan.length)
     refuse_thin(task.name, attempt.stretches, bore=attempt.bore)
@@ -722,7 +734,7 @@ def _refuse(task: Task, attempt: Attempt) -> None:
         refuse_thick(joint, seat)
 
 
-def _fits(task: Task, attempt: Attempt, diameter: float) -> Iterator[Check]:
+def _fits(task: ShaftTask, attempt: Attempt, diameter: float) -> Iterator[Check]:
     """Yield whether the parts of a shaft that is taken as given fit."""
     yield from room_checks(task.name, items_on(task, attempt.chosen), task.forces.plan.length)
     yield from seat_checks(diameter, attempt.chosen)
@@ -730,7 +742,7 @@ def _fits(task: Task, attempt: Attempt, diameter: float) -> Iterator[Check]:
         yield from joint_checks(task.joints[joint.part], seat_of(task, joint.part, attempt.bore), joint)
 
 
-def _sits(stretch: Stretch) -> str:
+def _sits(stretch: ShaftStretch) -> str:
     return "" if stretch.kind == "between" else stretch.name
 
 

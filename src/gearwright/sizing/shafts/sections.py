@@ -64,7 +64,7 @@ from gearwright.sizing.airscrew_loads import LoadRow
 from gearwright.sizing.loads import ShaftForces
 from gearwright.sizing.result import Sizing
 from gearwright.sizing.shaft_results import BuiltShaft, JointSizing, SectionStrength
-from gearwright.sizing.shafts.stretches import Stretch, whole_millimetres
+from gearwright.sizing.shafts.stretches import ShaftStretch, whole_millimetres
 from gearwright.spec import Design
 from gearwright.spec.design import Joint, ShaftRules
 
@@ -81,7 +81,7 @@ FIT_ROUGHNESS = 4e-6
 """R_z of ground seats of press fits [m]."""
 
 
-class Seat(NamedTuple):
+class JointSeat(NamedTuple):
     """Where a joint sits."""
 
     part: str
@@ -105,7 +105,7 @@ class Seat(NamedTuple):
     """Of the gear; None: a machine, whose hub counts as the shaft's."""
 
 
-def size_joint(joint: Joint, seat: Seat, diameter: float, steel: Material) -> JointSizing:
+def size_joint(joint: Joint, seat: JointSeat, diameter: float, steel: Material) -> JointSizing:
     """Return a joint on a shaft.
 
     Args:
@@ -134,7 +134,7 @@ def keyway_depth(joint: Joint, diameter: float) -> float:
     return key_for_shaft(diameter).section.hub_depth if joint.kind == "key" else 0.0
 
 
-def refuse_thick(sized: JointSizing, seat: Seat) -> None:
+def refuse_thick(sized: JointSizing, seat: JointSeat) -> None:
     """Raise where a shaft leaves nothing of its gear.
 
     Args:
@@ -152,7 +152,7 @@ def refuse_thick(sized: JointSizing, seat: Seat) -> None:
         raise DesignError([Problem(f"joints.{seat.part}", message)])
 
 
-def joint_fits(joint: Joint, seat: Seat, sized: JointSizing) -> bool:
+def joint_fits(joint: Joint, seat: JointSeat, sized: JointSizing) -> bool:
     """Tell whether a thicker shaft would not help: the joint fits its hub and bears its torque.
 
     Args:
@@ -165,7 +165,7 @@ def joint_fits(joint: Joint, seat: Seat, sized: JointSizing) -> bool:
     return sized.length <= seat.hub_length + 1e-9 and sized.pressure <= sized.allowed_pressure * (1.0 + 1e-9)
 
 
-def refuse_long(joint: Joint, seat: Seat, sized: JointSizing) -> None:
+def refuse_long(joint: Joint, seat: JointSeat, sized: JointSizing) -> None:
     """Raise where a joint is longer than its hub, a key longer than what bears or too short for its round ends.
 
     Args:
@@ -199,7 +199,7 @@ def refuse_long(joint: Joint, seat: Seat, sized: JointSizing) -> None:
         raise DesignError([Problem(f"joints.{seat.part}", message)])
 
 
-def _sized(joint: Joint, seat: Seat, designation: str, diameter: float, *, length: float, pressure: float,
+def _sized(joint: Joint, seat: JointSeat, designation: str, diameter: float, *, length: float, pressure: float,
            allowed: float, interference: float = 0.0) -> JointSizing:  # fmt: skip
     return JointSizing(
         part=seat.part,
@@ -216,11 +216,11 @@ def _sized(joint: Joint, seat: Seat, designation: str, diameter: float, *, lengt
     )
 
 
-def _integral(joint: Joint, seat: Seat, diameter: float, steel: Material) -> JointSizing:
+def _integral(joint: Joint, seat: JointSeat, diameter: float, steel: Material) -> JointSizing:
     return _sized(joint, seat, "", diameter, length=0.0, pressure=0.0, allowed=0.0)
 
 
-def _key(joint: Joint, seat: Seat, diameter: float, steel: Material) -> JointSizing:
+def _key(joint: Joint, seat: JointSeat, diameter: float, steel: Material) -> JointSizing:
     """Return the shortest standard key that bears the torque, or what it would have to be."""
     key, allowed = key_for_shaft(diameter), joint.pressure or KEY_PRESSURE
     ends = key.section.width if joint.form == "A" else 0.0
@@ -238,7 +238,7 @@ def _key_name(key: StandardKey, form: str, length: float) -> str:
     return f"DIN 6885 - {form} {width:g} x {height:g} x {1e3 * length:.5g}"
 
 
-def _instead(joint: Joint, seat: Seat, diameter: float) -> str:
+def _instead(joint: Joint, seat: JointSeat, diameter: float) -> str:
     """Say what would do where a joint is too long: a spline, one piece, a longer hub."""
     teeth = _teeth(joint, diameter)
     length = _spline_length(teeth, seat, SPLINE_PRESSURE)
@@ -247,7 +247,7 @@ def _instead(joint: Joint, seat: Seat, diameter: float) -> str:
     return 'write kind = "integral", or give a longer hub, a wider gear or a thicker shaft by diameter_mm'
 
 
-def _spline(joint: Joint, seat: Seat, diameter: float, steel: Material) -> JointSizing:
+def _spline(joint: Joint, seat: JointSeat, diameter: float, steel: Material) -> JointSizing:
     teeth, allowed = _teeth(joint, diameter), joint.pressure or SPLINE_PRESSURE
     length = joint.length or _spline_length(teeth, seat, allowed)
     pressure = spline_pressure(seat.torque, teeth, length) if length else 0.0
@@ -263,7 +263,7 @@ def _teeth(joint: Joint, diameter: float) -> Spline:
     return spline(diameter, module or max((size for size in MODULES if size <= wanted + 1e-9), default=MODULES[0]))
 
 
-def _spline_length(teeth: Spline, seat: Seat, allowed: float) -> float:
+def _spline_length(teeth: Spline, seat: JointSeat, allowed: float) -> float:
     """Return the length that the torque asks for, and as much of 0.6 d_B, which keeps a hub from rocking, as fits."""
     steady = min(SHORTEST_RATIO * teeth.reference_diameter, seat.hub_length)
     return max(whole_millimetres(spline_length(seat.torque, teeth, allowable=allowed)), steady)
@@ -293,7 +293,7 @@ def hub_bore(joint: Joint, diameter: float) -> float:
     return _teeth(joint, diameter).hub_tip if joint.kind == "spline" else diameter
 
 
-def _press_fit(joint: Joint, seat: Seat, diameter: float, steel: Material) -> JointSizing:
+def _press_fit(joint: Joint, seat: JointSeat, diameter: float, steel: Material) -> JointSizing:
     """Return a press fit as long as its hub that holds at speed; what the weaker of hub and shaft bears is allowed."""
     length = joint.length or (seat.hub_length if math.isfinite(seat.hub_length) else diameter)
     root = seat.root if math.isfinite(seat.root) else 2.0 * diameter
@@ -406,7 +406,7 @@ class Section(NamedTuple):
     """At the bottom of a groove [m]."""
 
 
-class Borne(NamedTuple):
+class LoadedSection(NamedTuple):
     """How a section bears every load case."""
 
     loads: tuple[SectionLoad, ...]
@@ -432,7 +432,7 @@ class Strength:
     """Names of the rows of loads."""
     rows: tuple[LoadRow, ...] = ()
     """What they are; empty where each is a load case."""
-    known: dict[tuple[object, ...], Borne] = field(default_factory=dict, compare=False, repr=False)
+    known: dict[tuple[object, ...], LoadedSection] = field(default_factory=dict, compare=False, repr=False)
     """Section, moments, torques and bore -> how it bears them, as far as found: few change as a shaft grows."""
     loads: dict[tuple[float, ...], list[tuple[tuple[float, ...], tuple[float, ...]]]] = field(
         default_factory=dict, compare=False, repr=False
@@ -441,7 +441,7 @@ class Strength:
 
 
 def sections_of(
-    stretches: Sequence[Stretch],
+    stretches: Sequence[ShaftStretch],
     forces: ShaftForces,
     hubs: Mapping[str, HubNotch],
     roots: Mapping[str, float],
@@ -484,7 +484,7 @@ def _unlike(places: Iterable[float]) -> list[float]:
     return apart
 
 
-def _words(stretch: Stretch, position: float, forces: ShaftForces) -> str:
+def _words(stretch: ShaftStretch, position: float, forces: ShaftForces) -> str:
     """Return what is at a section without a notch: the seat of a bearing, or what loads the shaft there."""
     if stretch.kind == "bearing":
         return f"seat of {stretch.name}"
@@ -492,7 +492,7 @@ def _words(stretch: Stretch, position: float, forces: ShaftForces) -> str:
     return f"at {smallest(places, lambda part: abs(places[part] - position))}"
 
 
-def _shoulders(stretches: Sequence[Stretch], rules: ShaftRules, blank: float) -> Iterator[Section]:
+def _shoulders(stretches: Sequence[ShaftStretch], rules: ShaftRules, blank: float) -> Iterator[Section]:
     for left, right in pairwise(stretches):
         thin, thick = (left, right) if left.diameter < right.diameter else (right, left)
         cut = foot_of(thin.diameter, thick.diameter, rules) if thin.kind == "bearing" else None
@@ -508,7 +508,9 @@ def _shoulders(stretches: Sequence[Stretch], rules: ShaftRules, blank: float) ->
             yield Section(f"shoulder at {named.name}", thin.name, right.start, thin.diameter, blank, shoulder)
 
 
-def borne(sections: Sequence[Section], forces: ShaftForces, judge: Strength, *, bore: float) -> tuple[Borne, ...]:
+def borne(
+    sections: Sequence[Section], forces: ShaftForces, judge: Strength, *, bore: float
+) -> tuple[LoadedSection, ...]:
     """Return the safeties of sections against fatigue and yielding in every case.
 
     Args:
@@ -552,7 +554,7 @@ def _inside(section: Section, bore: float) -> float:
 
 def _looked_up(
     section: Section, moments: tuple[float, ...], torques: tuple[float, ...], judge: Strength, *, bore: float
-) -> Borne:
+) -> LoadedSection:
     key = (section, moments, torques, inside := _inside(section, bore))
     known = judge.known.get(key)
     if known is None:
@@ -562,7 +564,7 @@ def _looked_up(
 
 def _borne(
     section: Section, moments: Sequence[float], torques: Sequence[float], judge: Strength, *, bore: float
-) -> Borne:
+) -> LoadedSection:
     rules, service, steel = judge.design.shafting, judge.design.service, judge.material
     ultimate, yielding = steel.ultimate_strength or 0.0, steel.yield_strength or 0.0
     limit = endurance_limit(ultimate, section.diameter, surface=rules.surface, reliability=rules.reliability)
@@ -581,11 +583,11 @@ def _borne(
         NO_LIMIT if at_limit else criterion(stress, strength) for stress, at_limit in zip(stresses, limits, strict=True)
     )
     broken = ultimate / (ULTIMATE * yielding) if yielding else 1.0
-    return Borne(loads, notch, tired, greatest / service.application_factor, least * min(1.0, broken))
+    return LoadedSection(loads, notch, tired, greatest / service.application_factor, least * min(1.0, broken))
 
 
 def _strength(
-    section: Section, held: Borne, judge: Strength, along: Sequence[float], *, bore: float
+    section: Section, held: LoadedSection, judge: Strength, along: Sequence[float], *, bore: float
 ) -> SectionStrength:
     worst = int(np.argmin(held.fatigue))
     load = held.loads[worst]

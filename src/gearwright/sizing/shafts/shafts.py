@@ -516,7 +516,7 @@ class _Pins(NamedTuple):
     """Mass of inner rings on one [kg]."""
 
 
-class _Asked(NamedTuple):
+class _CarrierDuty(NamedTuple):
     """What a carrier has to bear, and on what."""
 
     equal: int
@@ -627,7 +627,13 @@ def _pins_of(planet: GearSizing, radius: float) -> _Pins:
 
 
 def _sized(
-    context: Context, name: str, pins: Mapping[str, _Pins], loads: Sequence[PinLoad], *, asked: _Asked, room: float
+    context: Context,
+    name: str,
+    pins: Mapping[str, _Pins],
+    loads: Sequence[PinLoad],
+    *,
+    asked: _CarrierDuty,
+    room: float,
 ) -> CarrierSizing:
     """Return a carrier with equal pins, as strong as the one that is loaded most needs."""
     rules, given, shaft = context.design.carriers, context.given, context.design.sets[name].carrier

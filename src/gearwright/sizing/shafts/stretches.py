@@ -56,7 +56,7 @@ Choose = Callable[[str, float, float], Bearing]
 """Bearing, smallest and largest bore -> the one that is taken."""
 
 
-class Item(NamedTuple):
+class SeatedPart(NamedTuple):
     """What sits on a shaft and has a width."""
 
     name: str
@@ -79,7 +79,7 @@ class Item(NamedTuple):
         return self.middle + self.width / 2.0
 
 
-class Stretch(NamedTuple):
+class ShaftStretch(NamedTuple):
     """A part of a shaft between two places."""
 
     name: str
@@ -101,20 +101,20 @@ class Stretch(NamedTuple):
         """[m]"""
         return self.end - self.start
 
-    def of(self, diameter: float) -> Stretch:
+    def of(self, diameter: float) -> ShaftStretch:
         """Return the stretch with a diameter.
 
         Args:
             diameter: [m].
         """
-        return Stretch(self.name, self.kind, self.start, self.end, diameter, self.shoulder, self.fillet)
+        return ShaftStretch(self.name, self.kind, self.start, self.end, diameter, self.shoulder, self.fillet)
 
 
 @dataclass(frozen=True)
 class Wanted:
     """What decides the diameters of a shaft."""
 
-    items: tuple[Item, ...]
+    items: tuple[SeatedPart, ...]
     """In order."""
     length: float
     """Of the shaft [m]."""
@@ -139,7 +139,7 @@ class Wanted:
         return self.passes[hub](diameter) if hub in self.passes else diameter
 
 
-def lay(shaft: str, wanted: Wanted, choose: Choose) -> tuple[tuple[Stretch, ...], dict[str, Bearing]]:
+def lay(shaft: str, wanted: Wanted, choose: Choose) -> tuple[tuple[ShaftStretch, ...], dict[str, Bearing]]:
     """Return the stretches of a shaft, and the bearings that they were laid for.
 
     Args:
@@ -175,17 +175,17 @@ def lay(shaft: str, wanted: Wanted, choose: Choose) -> tuple[tuple[Stretch, ...]
     return tuple(_ends(_collared(laid, low, low + len(middle) - 1), wanted)), chosen
 
 
-def _bare(items: Sequence[Item], length: float) -> list[Stretch]:
+def _bare(items: Sequence[SeatedPart], length: float) -> list[ShaftStretch]:
     """Return the stretches without diameters: between, item, between, and so on; those between may have no length."""
     bare, reached, before = [], 0.0, ""
     for item in items:
-        bare += [Stretch(f"after {before}".strip(), "between", reached, item.start)]
-        bare += [Stretch(item.name, item.kind, item.start, item.end)]
+        bare += [ShaftStretch(f"after {before}".strip(), "between", reached, item.start)]
+        bare += [ShaftStretch(item.name, item.kind, item.start, item.end)]
         reached, before = item.end, item.name
-    return [*bare, Stretch(f"after {before}".strip(), "between", reached, length)]
+    return [*bare, ShaftStretch(f"after {before}".strip(), "between", reached, length)]
 
 
-def _thickest(bare: list[Stretch], wanted: Wanted) -> tuple[int, int]:
+def _thickest(bare: list[ShaftStretch], wanted: Wanted) -> tuple[int, int]:
     """Return the first and the last stretch from which on diameters fall outwards."""
     integral = [k for k, stretch in enumerate(bare) if stretch.kind == "integral"]
     if integral:
@@ -200,9 +200,9 @@ def _thickest(bare: list[Stretch], wanted: Wanted) -> tuple[int, int]:
     return longest, longest
 
 
-def _climb(shaft: str, bare: list[Stretch], wanted: Wanted, choose: Choose, *, limit: float) -> list[Stretch]:
+def _climb(shaft: str, bare: list[ShaftStretch], wanted: Wanted, choose: Choose, *, limit: float) -> list[ShaftStretch]:
     """Return stretches from an end inwards with diameters that do not fall."""
-    climbed: list[Stretch] = []
+    climbed: list[ShaftStretch] = []
     reached = 0.0
     for stretch in bare:
         needed = max(reached, wanted.needed.get(stretch.name, 0.0))
@@ -226,7 +226,7 @@ def _passing(hub: str, wanted: Wanted, needed: float, past: float) -> float:
     return diameter
 
 
-def _refuse_past(shaft: str, laid: Stretch, wanted: Wanted, past: float) -> None:
+def _refuse_past(shaft: str, laid: ShaftStretch, wanted: Wanted, past: float) -> None:
     """Raise where a part does not slide over what is further out."""
     over = _past(wanted, laid)
     if over < past - SAME:
@@ -241,11 +241,11 @@ def _refuse_past(shaft: str, laid: Stretch, wanted: Wanted, past: float) -> None
         raise DesignError([Problem(_path(laid), message)])
 
 
-def _path(stretch: Stretch) -> str:
+def _path(stretch: ShaftStretch) -> str:
     return f"bearings.{stretch.name}" if stretch.kind == "bearing" else f"joints.{stretch.name}"
 
 
-def _seated(stretch: Stretch, bearing: Bearing) -> Stretch:
+def _seated(stretch: ShaftStretch, bearing: Bearing) -> ShaftStretch:
     """Return the seat of a bearing."""
     height = bearing.outer_diameter - bearing.bore
     return stretch._replace(
@@ -278,8 +278,13 @@ def _shouldered(side: list[Stretch], most: float) -> list[Stretch]:
 
 
 def _core(
-    shaft: str, middle: list[Stretch], sides: tuple[list[Stretch], list[Stretch]], wanted: Wanted, *, past: float
-) -> list[Stretch]:
+    shaft: str,
+    middle: list[ShaftStretch],
+    sides: tuple[list[ShaftStretch], list[ShaftStretch]],
+    wanted: Wanted,
+    *,
+    past: float,
+) -> list[ShaftStretch]:
     """Return the thickest stretches with their diameters; a hub there slides over what is past it."""
     beside = max((side[-1].diameter for side in sides if side), default=0.0)
     needed = max(beside, *(wanted.needed.get(stretch.name, 0.0) for stretch in middle))
@@ -298,7 +303,9 @@ def _core(
     return [laid]
 
 
-def _necked(middle: list[Stretch], sides: tuple[list[Stretch], list[Stretch]], wanted: Wanted) -> list[Stretch]:
+def _necked(
+    middle: list[ShaftStretch], sides: tuple[list[ShaftStretch], list[ShaftStretch]], wanted: Wanted
+) -> list[ShaftStretch]:
     """Return a long stretch between two bearings as a neck between their shoulders, as thick as strength asks."""
     only = middle[0]
     ends = [side[-1] for side in sides if side]
@@ -317,7 +324,7 @@ def _necked(middle: list[Stretch], sides: tuple[list[Stretch], list[Stretch]], w
     ]
 
 
-def _integral(shaft: str, middle: list[Stretch], beside: float, wanted: Wanted) -> list[Stretch]:
+def _integral(shaft: str, middle: list[ShaftStretch], beside: float, wanted: Wanted) -> list[ShaftStretch]:
     """Return gears of one piece with the shaft, and what lies between them."""
     limits = {item.name: item.limit for item in wanted.items}
     laid = []
@@ -338,7 +345,7 @@ def _integral(shaft: str, middle: list[Stretch], beside: float, wanted: Wanted) 
     return laid
 
 
-def _collared(stretches: list[Stretch], low: int, high: int) -> list[Stretch]:
+def _collared(stretches: list[ShaftStretch], low: int, high: int) -> list[ShaftStretch]:
     """Return stretches with a collar on the longer side of a hub at the thickest place."""
     if stretches[low].kind != "hub" or low != high or (at := _collar(stretches, low)) is None:
         return stretches
@@ -362,7 +369,7 @@ def _ends(stretches: list[Stretch], wanted: Wanted) -> list[Stretch]:
     return [stretch for stretch in stretches if stretch.length > SAME]
 
 
-def _beside(stretch: Stretch, wanted: Wanted) -> float:
+def _beside(stretch: ShaftStretch, wanted: Wanted) -> float:
     """Return how thick an end beside a part is: as the part's seat, beside a hub with teeth as they leave it [m]."""
     over = wanted.over(stretch.name, stretch.diameter)
     return stretch.diameter if over == stretch.diameter else math.floor(1e3 * over + 1e-6) / 1e3
@@ -380,7 +387,7 @@ BEARING_SLOPES = {"deep-groove": 3e-3, "cylindrical": 1.2e-3, "taper": 1.2e-3}
 
 
 @dataclass(frozen=True)
-class Bent:
+class BentShaft:
     """A built shaft, bent by all load cases."""
 
     sections: Sections
@@ -430,7 +437,7 @@ class Bent:
         return critical_speed(shape, weights[order])
 
 
-def bend(forces: ShaftForces, stretches: Sequence[Stretch], material: Material, *, bore: float) -> Bent:
+def bend(forces: ShaftForces, stretches: Sequence[ShaftStretch], material: Material, *, bore: float) -> BentShaft:
     """Return a shaft bent by what acts on it.
 
     Args:
@@ -445,10 +452,10 @@ def bend(forces: ShaftForces, stretches: Sequence[Stretch], material: Material, 
     line = None
     if forces.bends:
         line = bent_line(forces.drawn, sections, forces.plan.bearings, elastic_modulus=material.elastic_modulus)
-    return Bent(sections, line, forces.plan.bearings, material, forces.of_use)
+    return BentShaft(sections, line, forces.plan.bearings, material, forces.of_use)
 
 
-def slope_excess(bent: Bent, seats: Mapping[str, BearingSeat], gears: Mapping[str, float]) -> float:
+def slope_excess(bent: BentShaft, seats: Mapping[str, BearingSeat], gears: Mapping[str, float]) -> float:
     """Return the largest slope over what is allowed there [-]; up to 1 the shaft is stiff enough.
 
     Args:

@@ -14,7 +14,7 @@ from gearwright.memo import Memo
 from gearwright.parts.gears import transverse_pressure_angle
 from gearwright.parts.planetary import assembles, nearest_positions, neighbours_clear, tip_gap
 from gearwright.sizing.rating import Load, Rating, fewest_virtual_teeth
-from gearwright.sizing.rough_mass import Around
+from gearwright.sizing.rough_mass import MassBasis
 from gearwright.spec import Design, Epicyclic, Pair, Planetary
 from gearwright.spec.design import SET_ROLES, SUN_LIMITS, ForbiddenBand, StageShifts, module_owners, stage_shifts
 from gearwright.train import Edge, Targets, gear_of, gears_of, members_of, teeth_of
@@ -67,7 +67,7 @@ class Front:
         return Front(*({name: made([part[name] for part in same]) for name in same[0]} for same in parts))
 
 
-class Part(NamedTuple):
+class LoadStep(NamedTuple):
     """A part of the life of a stage, or a limit load, beside its largest load."""
 
     case: str
@@ -90,7 +90,7 @@ class Ban(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Task:
+class StageTask:
     """One stage of the search."""
 
     name: str
@@ -120,9 +120,9 @@ class Task:
     """Load for which tips are relieved over the largest one [-]."""
     fastest: float = 1.0
     """Greatest rolling speed over the one at the largest load [-]."""
-    parts: tuple[Part, ...] = ()
+    parts: tuple[LoadStep, ...] = ()
     """Its life, where a standard sizes it on a grid."""
-    around: Around | None = None
+    around: MassBasis | None = None
     """What carries, encloses and cools its gears is estimated from it; None where nothing loads it."""
     known: dict[tuple[int, int, int, int], tuple[float, ...]] = field(default_factory=dict, compare=False, repr=False)
     """Teeth of pinion or sun, of wheel or planet, number of planets, deviation of the ring -> m_n³ [m³], λ = b/m_n [-]
@@ -163,7 +163,7 @@ class Needs(NamedTuple):
     """All teeth and numbers of planets tell choices apart: only whole trains are held against some of the rules."""
 
 
-def needs_of(later: Sequence[Task], design: Design, *, kept: int = 1) -> Needs:
+def needs_of(later: Sequence[StageTask], design: Design, *, kept: int = 1) -> Needs:
     """Return what stages that are still to come read of the choices before them.
 
     Args:
@@ -276,7 +276,7 @@ _SAME = 1e-9
 """Part by which loads and speeds of twins may differ [-]."""
 
 
-def with_twins(tasks: Sequence[Task], design: Design, nominal: Targets) -> list[Task]:
+def with_twins(tasks: Sequence[StageTask], design: Design, nominal: Targets) -> list[StageTask]:
     """Return the stages of the search, of which each says whose teeth it has for being the same.
 
     Args:
@@ -284,14 +284,14 @@ def with_twins(tasks: Sequence[Task], design: Design, nominal: Targets) -> list[
         design: The design.
         nominal: Asked speeds.
     """
-    whole = list[Task]()
+    whole = list[StageTask]()
     for task in tasks:
         alike = (other for other in whole if not other.twin and _are_twins(task, other, design, nominal))
         whole.append(replace(task, twin=next((other.name for other in alike), "")))
     return whole
 
 
-def _are_twins(task: Task, other: Task, design: Design, nominal: Targets) -> bool:
+def _are_twins(task: StageTask, other: StageTask, design: Design, nominal: Targets) -> bool:
     """Tell whether two stages have the same teeth in every lightest train."""
     if not (_stands_alone(task, design) and _stands_alone(other, design)):
         return False
@@ -306,7 +306,7 @@ def _are_twins(task: Task, other: Task, design: Design, nominal: Targets) -> boo
     return all(_same_place(*pair, design=design, nominal=nominal) for pair in ends)
 
 
-def _stands_alone(task: Task, design: Design) -> bool:
+def _stands_alone(task: StageTask, design: Design) -> bool:
     """Tell whether a stage shares no gear and no centre distance, and has given planets and a ring that they decide."""
     if isinstance(task.stage, Planetary):
         return task.stage.planets_given is not None and not design.teeth.ring_deviation
@@ -345,7 +345,7 @@ FARTHEST = 4.0
 """Modules by which no shifts bring a given centre distance nearer to that of teeth without shift [-]."""
 
 
-def ring_variants(task: Task, design: Design) -> tuple[Task, ...]:
+def ring_variants(task: StageTask, design: Design) -> tuple[StageTask, ...]:
     """Return a stage with every number of teeth by which a chosen ring may differ from z_s + 2 z_p, the least first.
 
     Args:
@@ -358,7 +358,7 @@ def ring_variants(task: Task, design: Design) -> tuple[Task, ...]:
     return tuple(replace(task, deviation=teeth) for teeth in sorted(range(-most, most + 1), key=abs))
 
 
-def is_shifted(task: Task, design: Design) -> bool:
+def is_shifted(task: StageTask, design: Design) -> bool:
     """Tell whether the teeth of a planetary set have shifts that its design asks for, beyond those of all its gears.
 
     Args:
@@ -373,7 +373,7 @@ def is_shifted(task: Task, design: Design) -> bool:
     return asked or task.deviation != 0 or design.rules(task.name).balanced_shifts is not None
 
 
-def closed(task: Task, design: Design, small: Ints, large: Ints, ring: Ints, *, planets: int) -> Bools:
+def closed(task: StageTask, design: Design, small: Ints, large: Ints, ring: Ints, *, planets: int) -> Bools:
     """Tell which teeth of a planetary set with shifts close, so that planets pass each other.
 
     Args:
@@ -391,7 +391,7 @@ def closed(task: Task, design: Design, small: Ints, large: Ints, ring: Ints, *, 
     return good
 
 
-def _near(task: Task, total: Ints) -> Bools:
+def _near(task: StageTask, total: Ints) -> Bools:
     """Tell which sums of teeth stand near enough to the given centre distance for a look; all, where none is given."""
     stage = task.stage
     if stage.centre_distance is None or stage.module is None:
@@ -399,7 +399,7 @@ def _near(task: Task, total: Ints) -> Bools:
     return np.asarray(np.abs(stage.centre_distance / stage.module - total / 2.0) <= FARTHEST)
 
 
-def _stands(task: Task, design: Design, teeth: tuple[int, int, int], planets: int) -> bool:
+def _stands(task: StageTask, design: Design, teeth: tuple[int, int, int], planets: int) -> bool:
     """Tell whether one set closes and its planets pass each other."""
     if teeth not in task.closed:
         task.closed[teeth] = _shifts(task.name, design, teeth)
@@ -494,7 +494,9 @@ def gives_all(design: Design) -> bool:
     )
 
 
-def candidates(front: Front, task: Task, design: Design, target: Floats, *, reach: Reach) -> tuple[Ints, Ints, Ints]:
+def candidates(
+    front: Front, task: StageTask, design: Design, target: Floats, *, reach: Reach
+) -> tuple[Ints, Ints, Ints]:
     """Return the choice in the front that each candidate extends, and the teeth of pinion and wheel, or sun and planet.
 
     Args:
@@ -526,7 +528,7 @@ def candidates(front: Front, task: Task, design: Design, target: Floats, *, reac
     return _neighbours(target[:, None] * small, small, stage.wheel_teeth, reach.around)
 
 
-def shares_gear(front: Front, task: Task) -> bool:
+def shares_gear(front: Front, task: StageTask) -> bool:
     """Tell whether a gear of a stage is chosen with another stage, so that its candidates are those beside it.
 
     Args:
@@ -541,7 +543,7 @@ def _virtual_pinion(small: Ints, large: Ints) -> Floats:
     return np.asarray(small * np.hypot(small, large) / large)
 
 
-def all_candidates(task: Task, design: Design) -> tuple[Ints, Ints, Ints]:
+def all_candidates(task: StageTask, design: Design) -> tuple[Ints, Ints, Ints]:
     """Return every tooth number that a stage of free ratio may have, from a front of one choice.
 
     Args:
@@ -564,7 +566,7 @@ def all_candidates(task: Task, design: Design) -> tuple[Ints, Ints, Ints]:
     return np.zeros(len(small), dtype=np.int64), small, large
 
 
-def ring_teeth(task: Task, sun: Ints, planet: Ints) -> Ints:
+def ring_teeth(task: StageTask, sun: Ints, planet: Ints) -> Ints:
     """Return the teeth of the ring: given with the others, or those that close, without shift or nearly so [-].
 
     Args:
@@ -646,7 +648,7 @@ def planet_counts(name: str, design: Design) -> Sequence[int]:
     return [count for count in counts if str(count) in table] if table else counts
 
 
-def admissible(task: Task, design: Design, small: Ints, large: Ints, *, planets: int) -> Bools:
+def admissible(task: StageTask, design: Design, small: Ints, large: Ints, *, planets: int) -> Bools:
     """Tell which tooth numbers can be made and put together.
 
     Args:
@@ -674,7 +676,7 @@ def admissible(task: Task, design: Design, small: Ints, large: Ints, *, planets:
     return good
 
 
-def assembled(task: Task, design: Design, small: Ints, large: Ints, *, planets: int) -> Bools:
+def assembled(task: StageTask, design: Design, small: Ints, large: Ints, *, planets: int) -> Bools:
     """Tell which teeth of a planetary set let equally spaced planets be put in, whatever its shifts.
 
     Args:
@@ -716,7 +718,7 @@ _WINDOWS = Memo[tuple[Any, ...], Any](64)
 """Tables by what they depend on."""
 
 
-def admitted(task: Task, design: Design, small: Ints, large: Ints) -> Bools:
+def admitted(task: StageTask, design: Design, small: Ints, large: Ints) -> Bools:
     """Tell which teeth some number of planets admits.
 
     Args:
@@ -730,7 +732,7 @@ def admitted(task: Task, design: Design, small: Ints, large: Ints) -> Bools:
 
 
 def admitted_candidates(
-    front: Front, task: Task, design: Design, target: Floats, *, reach: Reach
+    front: Front, task: StageTask, design: Design, target: Floats, *, reach: Reach
 ) -> tuple[Ints, Ints, Ints]:
     """Return the candidates for every ratio asked that some number of planets admits.
 
@@ -758,7 +760,7 @@ def admitted_candidates(
     return parent[fits], small[fits], large[fits]
 
 
-def _windows(task: Task, design: Design, suns: Ints, *, size: int, around: int) -> Any:
+def _windows(task: StageTask, design: Design, suns: Ints, *, size: int, around: int) -> Any:
     """Return of every sun and planet, bit for bit, which of the planets around that one are admitted.
 
     Args:

@@ -32,7 +32,7 @@ from gearwright.sizing.rating import (
     under_spectrum,
 )
 from gearwright.sizing.rough_mass import around_mass, oil_mass
-from gearwright.sizing.teeth.candidates import Ban, Front, Task, ring_teeth
+from gearwright.sizing.teeth.candidates import Ban, Front, StageTask, ring_teeth
 from gearwright.spec import GROUND, Design, Pair, Planetary, case_named, edited
 from gearwright.spec.design import ForbiddenBand, cases_forbidding, module_owners
 from gearwright.train import (
@@ -66,13 +66,13 @@ _SAME = 1e-9
 class Banned(NamedTuple):
     """Stages with the bands that they are held against, and what they cannot tell."""
 
-    tasks: list[Task]
+    tasks: list[StageTask]
     whole: frozenset[str]
     """Bands that only whole trains can be held against, in some case."""
 
 
 def banned(
-    tasks: Sequence[Task], design: Design, train: Train, nominal: Targets, flows: Mapping[str, PowerFlow]
+    tasks: Sequence[StageTask], design: Design, train: Train, nominal: Targets, flows: Mapping[str, PowerFlow]
 ) -> Banned:
     """Return the stages with what the forbidden bands of a design ask of each.
 
@@ -109,7 +109,7 @@ def _distinct(bans: Sequence[Ban]) -> tuple[Ban, ...]:
     return tuple(kept)
 
 
-def _passes(task: Task, band: ForbiddenBand, flow: PowerFlow) -> bool:
+def _passes(task: StageTask, band: ForbiddenBand, flow: PowerFlow) -> bool:
     """Tell whether anything of a stage passes that a band is about; not where it stands still, or turns as one."""
     planetary = isinstance(task.stage, Planetary)
     if band.of == "planet-pass" and not planetary:
@@ -150,7 +150,7 @@ def _kept(asked: Mapping[str, float], flow: PowerFlow) -> list[str]:
     return [name for name in asked if name not in yielded]
 
 
-def clear(front: Front, task: Task) -> Bools:
+def clear(front: Front, task: StageTask) -> Bools:
     """Tell which choices pass at no frequency that is forbidden.
 
     Args:
@@ -163,7 +163,7 @@ def clear(front: Front, task: Task) -> Bools:
     return good
 
 
-def inside(front: Front, task: Task, ban: Ban) -> Bools:
+def inside(front: Front, task: StageTask, ban: Ban) -> Bools:
     """Tell which choices pass at a frequency inside a band.
 
     Args:
@@ -196,7 +196,7 @@ def ends_of(band: ForbiddenBand) -> str:
     return f"{text(band.lowest, 'frequency')} to {text(band.highest, 'frequency')}"
 
 
-def _rate(front: Front, task: Task, band: ForbiddenBand) -> Floats:
+def _rate(front: Front, task: StageTask, band: ForbiddenBand) -> Floats:
     """Return how often teeth mesh, or planets pass, in 2π s [1/s]."""
     stage, small = task.stage, gears_of(task.name, task.stage)[0]
     zero = np.zeros(len(front))
@@ -209,7 +209,7 @@ def _rate(front: Front, task: Task, band: ForbiddenBand) -> Floats:
     return np.asarray(front.teeth[small] * front.speeds[task.edge.fast[0]])
 
 
-def refused(task: Task, fronts: Sequence[Front]) -> DesignError:
+def refused(task: StageTask, fronts: Sequence[Front]) -> DesignError:
     """Return the error of a stage whose teeth all pass at forbidden frequencies, with what each band takes.
 
     Args:
@@ -223,7 +223,7 @@ def refused(task: Task, fronts: Sequence[Front]) -> DesignError:
     return DesignError(_problem(path, task, front, name, teeth) for name in names)
 
 
-def _problem(path: str, task: Task, front: Front, name: str, teeth: int) -> Problem:
+def _problem(path: str, task: StageTask, front: Front, name: str, teeth: int) -> Problem:
     """Return what one band takes of the teeth of a stage."""
     own = [ban for ban in task.bans if ban.name == name]
     band = own[0].band
@@ -382,7 +382,7 @@ def _with_teeth(load: Load, teeth: tuple[int, int], ratio: float) -> Load:
 _MM = 1e-3
 
 
-def weigh(front: Front, task: Task, small: Ints, large: Ints, *, planets: int) -> Front:
+def weigh(front: Front, task: StageTask, small: Ints, large: Ints, *, planets: int) -> Front:
     """Return the front with a stage's teeth, module and bodies.
 
     Args:
@@ -435,17 +435,17 @@ def tallied(tally: Mapping[str, Floats], added: Floats) -> Mapping[str, Floats]:
     return {**tally, "second": tally["second"] + added} if tally else tally
 
 
-def _torque(task: Task, planets: int) -> float:
+def _torque(task: StageTask, planets: int) -> float:
     """Return the largest nominal torque of a stage with so many planets, their own K_γ included [N m]."""
     return task.torque * task.factors.get(planets, task.rating.load_factor) / task.rating.load_factor
 
 
-def _relieved(ask: Ask, task: Task) -> Ask:
+def _relieved(ask: Ask, task: StageTask) -> Ask:
     """Return what is asked with the load for which tips are relieved and the greatest speed."""
     return ask._replace(relieved=task.steady * np.asarray(ask.per_tooth), fastest=task.fastest * np.asarray(ask.speed))
 
 
-def _cubes(ask: Ask, task: Task) -> Floats:
+def _cubes(ask: Ask, task: StageTask) -> Floats:
     """Return the cube of the module that each mesh asks for, in a set that a standard rates that with the ring too."""
     module = np.maximum(*modules(ask, task.rating))
     if isinstance(task.stage, Planetary) and task.rating.proportions is not None:
@@ -453,7 +453,7 @@ def _cubes(ask: Ask, task: Task) -> Floats:
     return np.asarray(module * module * module)
 
 
-def _in_ring(ask: Ask, task: Task) -> Ask:
+def _in_ring(ask: Ask, task: StageTask) -> Ask:
     """Return what is asked of the mesh of planets and ring where sun and planets are asked for."""
     assert isinstance(task.stage, Planetary)
     small, large = (np.asarray(teeth) for teeth in ask.teeth)
@@ -483,7 +483,7 @@ def _bores(stage: Pair | Planetary) -> tuple[float | None, float | None]:
 
 
 def _known_sizes(
-    ask: Ask, task: Task, reference: Ints, speed: Floats, *, planets: int, discs: Floats
+    ask: Ask, task: StageTask, reference: Ints, speed: Floats, *, planets: int, discs: Floats
 ) -> tuple[Floats, Floats, Floats]:
     """Return m_n³, λ and what is around the gears over m_n³ where a standard rates them: of each pair of numbers once.
 
@@ -505,7 +505,7 @@ def _known_sizes(
     return cubes * load, widths, around
 
 
-def _sizes(ask: Ask, task: Task, discs: Floats, *, planets: int) -> Iterator[tuple[float, float, float]]:
+def _sizes(ask: Ask, task: StageTask, discs: Floats, *, planets: int) -> Iterator[tuple[float, float, float]]:
     """Yield m_n³ [m³], λ and what is around over m_n³ [kg/m³] of every choice, about as sizing makes them."""
     small, large, ratios = (np.asarray(column).tolist() for column in (*ask.teeth, ask.width_ratio))
     if task.rating.kind == "bevel":
@@ -546,7 +546,7 @@ _BESIDE = 1.5
 
 
 def _on_grid(
-    ask: Ask, task: Task, needed: Floats, discs: Floats, *, planets: int
+    ask: Ask, task: StageTask, needed: Floats, discs: Floats, *, planets: int
 ) -> tuple[Floats, Floats, Floats] | None:
     """Return module and face width [m] with which a gearbox of every choice weighs least, and what it weighs [kg].
 
@@ -585,7 +585,7 @@ def _on_grid(
     return modules[best], widths[best], masses[best]
 
 
-def _modules(task: Task, needed: Floats) -> Floats:
+def _modules(task: StageTask, needed: Floats) -> Floats:
     """Return the modules that are tried of every choice, shape (choices, modules) [m]."""
     rules = task.rating.proportions
     assert rules is not None
@@ -623,7 +623,7 @@ def _repeated(ask: Ask, count: int) -> Ask:
     )
 
 
-def _near(task: Task, ask: Ask, modules: Floats, widths: Floats) -> tuple[Floats, Floats] | None:
+def _near(task: StageTask, ask: Ask, modules: Floats, widths: Floats) -> tuple[Floats, Floats] | None:
     """Return how near sizes come to what all cases ask of a mesh; None: no arrays are rated."""
     torque, speed = np.asarray(ask.per_tooth, dtype=float) * np.asarray(ask.teeth[0]), np.asarray(ask.speed)
     loads = [
@@ -637,7 +637,7 @@ def _near(task: Task, ask: Ask, modules: Floats, widths: Floats) -> tuple[Floats
     return method_for(task.rating).of_sizes(mesh, ())
 
 
-def _around(ask: Ask, task: Task, modules: Floats, widths: Floats, *, planets: int) -> Floats:
+def _around(ask: Ask, task: StageTask, modules: Floats, widths: Floats, *, planets: int) -> Floats:
     """Return about what carries, encloses and cools the gears of sizes [kg]."""
     if task.around is None:
         return np.zeros(len(modules))
@@ -653,7 +653,7 @@ def _around(ask: Ask, task: Task, modules: Floats, widths: Floats, *, planets: i
     ) + oil_mass(task.around, teeth, modules, widths, planets=planets)  # fmt: skip
 
 
-def _bodies(task: Task, small: Ints, large: Ints, *, planets: int) -> tuple[dict[str, Ints], Floats]:
+def _bodies(task: StageTask, small: Ints, large: Ints, *, planets: int) -> tuple[dict[str, Ints], Floats]:
     """Return the stage's gears and the mass of its own bodies over b m_n² [kg/m³]."""
     stage, rating = task.stage, task.rating
     cosine = math.cos(rating.helix_angle)

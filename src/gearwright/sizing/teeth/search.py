@@ -17,9 +17,9 @@ from gearwright.sizing.rough_mass import around_stage
 from gearwright.sizing.teeth.candidates import (
     EQUAL,
     Front,
-    Part,
+    LoadStep,
     Reach,
-    Task,
+    StageTask,
     admissible,
     assembled,
     candidates,
@@ -92,7 +92,7 @@ class Branch:
         return np.where(inside, np.minimum(self.least[step * inside], self.least[step * inside - 1]), 0.0)
 
 
-def branches_of(front: Front, later: Sequence[Task], design: Design, nominal: Targets) -> list[Branch]:
+def branches_of(front: Front, later: Sequence[StageTask], design: Design, nominal: Targets) -> list[Branch]:
     """Return what is reached from the shafts that a front knows, as far as it can be bounded.
 
     Args:
@@ -101,7 +101,7 @@ def branches_of(front: Front, later: Sequence[Task], design: Design, nominal: Ta
         design: With the rules of the search.
         nominal: Asked speeds.
     """
-    by, ordered, waiting = dict.fromkeys(front.speeds, ""), list[tuple[Task, str]](), list(later)
+    by, ordered, waiting = dict.fromkeys(front.speeds, ""), list[tuple[StageTask, str]](), list(later)
     while task := next((task for task in waiting if _source(task, by, design)), None):
         waiting.remove(task)
         ordered.append((task, _source(task, by, design)))
@@ -126,11 +126,11 @@ def rest_of(front: Front, branches: Sequence[Branch]) -> Floats:
     return rest
 
 
-def _ends(task: Task) -> tuple[str, ...]:
+def _ends(task: StageTask) -> tuple[str, ...]:
     return () if task.edge is None else (*task.edge.fast, *task.edge.slow)
 
 
-def _source(task: Task, reached: Collection[str], design: Design) -> str:
+def _source(task: StageTask, reached: Collection[str], design: Design) -> str:
     """Return the shaft that leads to a stage that can be bounded; nothing where there is none, or more than one."""
     shares = isinstance(task.stage, Pair) and any(task.stage.shared(side) for side in SIDES)
     if task.edge is None or shares or design.teeth.split != "equal":
@@ -139,7 +139,7 @@ def _source(task: Task, reached: Collection[str], design: Design) -> str:
     return "" if all(sides) else sides[0] or sides[1]
 
 
-def _branch(task: Task, source: str, design: Design, nominal: Targets, beyond: Sequence[Branch]) -> Branch:
+def _branch(task: StageTask, source: str, design: Design, nominal: Targets, beyond: Sequence[Branch]) -> Branch:
     """Return the table of a stage whose stages beyond it have theirs."""
     edge, known = task.edge, nominal.speeds[source]
     assert edge is not None
@@ -165,7 +165,7 @@ def _branch(task: Task, source: str, design: Design, nominal: Targets, beyond: S
     return Branch(source, known, np.where(np.isfinite(least), least, 0.0))
 
 
-def _near(task: Task, design: Design, asked: tuple[float, float]) -> tuple[float, float]:
+def _near(task: StageTask, design: Design, asked: tuple[float, float]) -> tuple[float, float]:
     """Return the least and the largest tooth ratio that is near enough to some of a range; all of given teeth."""
     if is_given(task.stage):
         return 0.0, math.inf
@@ -173,7 +173,7 @@ def _near(task: Task, design: Design, asked: tuple[float, float]) -> tuple[float
     return (part + asked[0]) * (1.0 - tolerance) - part, (part + asked[1]) * (1.0 + tolerance) - part
 
 
-def _candidates(task: Task, design: Design, allowed: tuple[float, float], speed: float) -> tuple[Floats, Floats]:
+def _candidates(task: StageTask, design: Design, allowed: tuple[float, float], speed: float) -> tuple[Floats, Floats]:
     """Return every tooth ratio in a range, the least first, and the mass of its gears at a speed of the fast shaft."""
     parts = [_of_variant(variant, design, allowed, speed) for variant in ring_variants(task, design)]
     ratio, masses = (np.concatenate(columns) for columns in zip(*parts, strict=True))
@@ -181,7 +181,7 @@ def _candidates(task: Task, design: Design, allowed: tuple[float, float], speed:
     return ratio[order], masses[order]
 
 
-def _of_variant(task: Task, design: Design, allowed: tuple[float, float], speed: float) -> tuple[Floats, Floats]:
+def _of_variant(task: StageTask, design: Design, allowed: tuple[float, float], speed: float) -> tuple[Floats, Floats]:
     """Return the tooth ratios and masses of a stage; of shifted teeth those too that shifts may not close."""
     assert task.edge is not None
     low, high = allowed if allowed[1] < math.inf else (1.0, 1.0)
@@ -323,7 +323,7 @@ class _Found:
     """Nothing was left out that might have won."""
 
 
-def _searched(search: _Search, front: Front, tasks: Sequence[Task], *, beam: int | None = None) -> _Found:
+def _searched(search: _Search, front: Front, tasks: Sequence[StageTask], *, beam: int | None = None) -> _Found:
     """Return all whole combinations that may be the lightest, or those that a narrow search finds.
 
     Args:
@@ -356,7 +356,7 @@ def _searched(search: _Search, front: Front, tasks: Sequence[Task], *, beam: int
     return found
 
 
-def _known(search: _Search, front: Front, later: Sequence[Task]) -> float:
+def _known(search: _Search, front: Front, later: Sequence[StageTask]) -> float:
     """Return the mass of gears that as many trains as are sized in full do not exceed; infinite where they are fewer.
 
     A narrow search finds them from a front.
@@ -375,7 +375,7 @@ class _MayWin:
     """Tells the choices that may become as light as the trains that are known."""
 
     search: _Search
-    later: tuple[Task, ...]
+    later: tuple[StageTask, ...]
     """Stages to come."""
     limit: float
     """Mass of the gears of the heaviest of those trains [kg]."""
@@ -396,7 +396,7 @@ class _MayWin:
         return np.asarray(front.mass + rest_of(front, self.tables[shafts]) <= self.limit * (1.0 + EQUAL))
 
 
-def _narrowed(search: _Search, found: _Found, later: Sequence[Task], most: int) -> _Found:
+def _narrowed(search: _Search, found: _Found, later: Sequence[StageTask], most: int) -> _Found:
     """Keep the choices of a front that has too many from which the lightest trains may come."""
     front = found.front
     if len(front) <= most or not later:
@@ -444,7 +444,7 @@ def nominal_flow(design: Design, train: Train, nominal: Targets) -> tuple[dict[s
     return power_flows(design, turning), kept
 
 
-def task_of(name: str, design: Design, train: Train, nominal: Targets, flows: Mapping[str, PowerFlow]) -> Task:
+def task_of(name: str, design: Design, train: Train, nominal: Targets, flows: Mapping[str, PowerFlow]) -> StageTask:
     """Return a stage of the search with its largest load.
 
     Args:
@@ -483,7 +483,7 @@ def task_of(name: str, design: Design, train: Train, nominal: Targets, flows: Ma
     factors = dict[int, float]()
     if isinstance(stage, Planetary) and design.rules(name).mesh_load_factor is None:
         factors = {count: load_sharing(design, name, count).factor for count in planet_counts(name, design)}
-    task = Task(name, stage, edge, module_owners(design)[name], rating, torque, speed, rolling, rows, made)
+    task = StageTask(name, stage, edge, module_owners(design)[name], rating, torque, speed, rolling, rows, made)
     if not lasting or rating.proportions is None:
         return replace(task, factors=factors)
     steady = worn_torque(design, lasting) / torque if torque else 1.0
@@ -498,7 +498,7 @@ def task_of(name: str, design: Design, train: Train, nominal: Targets, flows: Ma
 
 def parts_of(
     design: Design, loads: Mapping[str, tuple[float, float]], largest_load: tuple[float, float]
-) -> Iterator[Part]:
+) -> Iterator[LoadStep]:
     """Yield what makes up the life of a stage, limit loads, and the cases that count for resonance alone.
 
     Args:
@@ -511,16 +511,16 @@ def parts_of(
     for case, share in shares.items():
         for level, part in levels_of(design, case):
             if share * part > 0.0 and loads[case][0] > 0.0:
-                yield Part(case, level * loads[case][0] / torque, loads[case][1] / rolling, share * part * life)
+                yield LoadStep(case, level * loads[case][0] / torque, loads[case][1] / rolling, share * part * life)
     for case, (load, speed) in loads.items():
         if load <= 0.0:
             continue
         if case_named(design, case).static:
             turning = max(speed, 1e-3)
-            yield Part(case, load / torque, turning / rolling, 2.0 * math.pi / turning, static=True)
+            yield LoadStep(case, load / torque, turning / rolling, 2.0 * math.pi / turning, static=True)
         elif not shares:
             heaviest_one = load >= torque * (1.0 - ROUNDING)
-            yield Part(case, load / torque, speed / rolling, life if heaviest_one else 0.0)
+            yield LoadStep(case, load / torque, speed / rolling, life if heaviest_one else 0.0)
 
 
 def heaviest(loads: Sequence[tuple[float, float]]) -> tuple[float, float]:
@@ -532,7 +532,7 @@ def heaviest(loads: Sequence[tuple[float, float]]) -> tuple[float, float]:
     return largest([(0.0, 1.0), *loads], lambda row: row[0])
 
 
-def is_ready(task: Task, front: Front) -> bool:
+def is_ready(task: StageTask, front: Front) -> bool:
     """Tell whether the speeds on one side of a stage, and the teeth that it shares, are chosen.
 
     Args:

@@ -16,7 +16,7 @@ from gearwright.sizing.teeth.candidates import (
     Front,
     Needs,
     Reach,
-    Task,
+    StageTask,
     admissible,
     admitted,
     admitted_candidates,
@@ -239,7 +239,7 @@ class Extended(NamedTuple):
 
 
 def extend(
-    front: Front, task: Task, design: Design, nominal: Targets, *, needs: Needs, may_win: Callable[[Front], Bools]
+    front: Front, task: StageTask, design: Design, nominal: Targets, *, needs: Needs, may_win: Callable[[Front], Bools]
 ) -> Extended:
     """Multiply the front by a stage's candidates and keep those that its rules admit; look further only if none is.
 
@@ -297,7 +297,9 @@ def _parts(front: Front) -> Iterator[Front]:
         yield front.take(np.arange(start, min(start + PARENTS, len(front))))
 
 
-def _grown(front: Front, task: Task, design: Design, target: Floats, *, reach: Reach) -> tuple[Floats, Front | None]:
+def _grown(
+    front: Front, task: StageTask, design: Design, target: Floats, *, reach: Reach
+) -> tuple[Floats, Front | None]:
     """Return the tooth ratios that are near enough, and the choices that keep the machines' speeds, weighed."""
     parent, small, large = near_candidates(front, task, design, target, reach=reach)
     actual = tooth_ratio(task, small, large)
@@ -312,7 +314,7 @@ def _grown(front: Front, task: Task, design: Design, target: Floats, *, reach: R
     return actual, weighed_front(grown, task, design, small, large)
 
 
-def weighed_front(front: Front, task: Task, design: Design, small: Ints, large: Ints) -> Front:
+def weighed_front(front: Front, task: StageTask, design: Design, small: Ints, large: Ints) -> Front:
     """Add a stage's teeth and bodies to the front, with every number of planets, candidate after candidate.
 
     Args:
@@ -341,7 +343,7 @@ def weighed_front(front: Front, task: Task, design: Design, small: Ints, large: 
 
 
 def near_candidates(
-    front: Front, task: Task, design: Design, target: Floats, *, reach: Reach
+    front: Front, task: StageTask, design: Design, target: Floats, *, reach: Reach
 ) -> tuple[Ints, Ints, Ints]:
     """Return a stage's candidates that some number of planets admits and that are near enough to what is asked.
 
@@ -372,7 +374,7 @@ def near_candidates(
     return parent[near], small[near], large[near]
 
 
-def _near_of(front: Front, task: Task, design: Design, target: Floats, *, reach: Reach) -> tuple[Ints, Ints, Ints]:
+def _near_of(front: Front, task: StageTask, design: Design, target: Floats, *, reach: Reach) -> tuple[Ints, Ints, Ints]:
     """Return the candidates for some ratios that are admitted and near enough."""
     parent, small, large = admitted_candidates(front, task, design, target, reach=reach)
     near = _near(task, design, tooth_ratio(task, small, large), target[parent])
@@ -387,7 +389,7 @@ def _repeated(owner: Ints, place: Ints, count: int) -> tuple[Ints, Ints]:
     return parent, np.arange(len(parent)) + (first[place] - np.cumsum(many) + many).repeat(many)
 
 
-def tooth_ratio(task: Task, small: Ints, large: Ints) -> Floats:
+def tooth_ratio(task: StageTask, small: Ints, large: Ints) -> Floats:
     """Return z_2/z_1 or z_r/z_s [-].
 
     Args:
@@ -402,7 +404,7 @@ def tooth_ratio(task: Task, small: Ints, large: Ints) -> Floats:
     return np.asarray(1.0 + 2.0 * large / small)
 
 
-def is_open(front: Front, task: Task, design: Design) -> bool:
+def is_open(front: Front, task: StageTask, design: Design) -> bool:
     """Tell whether a stage's ratio is the search's own choice: the first of those that share an open ratio.
 
     Args:
@@ -417,7 +419,7 @@ def is_open(front: Front, task: Task, design: Design) -> bool:
     return len(front) == 1 and not known & set(far)
 
 
-def _near(task: Task, design: Design, actual: Floats, asked: Floats) -> Bools:
+def _near(task: StageTask, design: Design, actual: Floats, asked: Floats) -> Bools:
     """Tell which tooth ratios are within the tolerance; given teeth are as they are."""
     if is_given(task.stage):
         return np.ones(len(actual), dtype=bool)
@@ -425,7 +427,7 @@ def _near(task: Task, design: Design, actual: Floats, asked: Floats) -> Bools:
     return np.asarray(np.abs((carrier_part + actual) / (carrier_part + asked) - 1.0) <= design.teeth.stage_tolerance)
 
 
-def asked_ratios(front: Front, task: Task, nominal: Targets) -> Floats:
+def asked_ratios(front: Front, task: StageTask, nominal: Targets) -> Floats:
     """Return the tooth ratio asked of every choice in the front [-].
 
     Args:
@@ -448,7 +450,7 @@ def _known(shafts: tuple[str, ...], front: Front) -> str:
     return next((shaft for shaft in shafts if shaft in front.speeds), shafts[0])
 
 
-def new_speeds(front: Front, task: Task, ratio: Floats) -> dict[str, Floats]:
+def new_speeds(front: Front, task: StageTask, ratio: Floats) -> dict[str, Floats]:
     """Return the speeds of the shafts that a stage reaches.
 
     Args:
@@ -469,7 +471,7 @@ def new_speeds(front: Front, task: Task, ratio: Floats) -> dict[str, Floats]:
     return {shaft: speed for shaft, speed in reached.items() if shaft not in known}
 
 
-def _speeds_hold(task: Task, design: Design, speeds: Mapping[str, Floats], count: int) -> Bools:
+def _speeds_hold(task: StageTask, design: Design, speeds: Mapping[str, Floats], count: int) -> Bools:
     """Tell which choices keep the machines' speeds within the tolerance; given teeth are as they are."""
     good = np.ones(count, dtype=bool)
     if is_given(task.stage):

@@ -473,7 +473,7 @@ _OF_ELECTRIC = ("mass", "inverter_mass", "cooling_mass")
 """Keys of a motor or generator."""
 
 
-class Key(NamedTuple):
+class ComputedKey(NamedTuple):
     """A computed value that can be given."""
 
     path: str
@@ -504,7 +504,7 @@ class Key(NamedTuple):
 class _Entry(NamedTuple):
     """A name that [overrides] may have."""
 
-    key: Key
+    key: ComputedKey
     meant: Written
 
 
@@ -569,7 +569,7 @@ def _add_origins(design: Design, entries: Mapping[str, _Entry], values: dict[str
             yield Problem(f"origins.{entry}", f"nothing of this name is given; {near(entry, known)}")
 
 
-def _own(key: Key, value: float) -> Given:
+def _own(key: ComputedKey, value: float) -> Given:
     meant = next(iter(key.entries.values()))
     return Given(value, f"{key.table}.{key.field}_{meant.suffix}", meant.written(value))
 
@@ -590,38 +590,44 @@ def _fault(entry: str, amount: float, entries: Mapping[str, _Entry], values: Map
     return None
 
 
-def givable(design: Design) -> Iterator[Key]:
+def givable(design: Design) -> Iterator[ComputedKey]:
     """Yield everything that is computed of a design and can be given.
 
     Args:
         design: As typed.
     """
     owners = module_owners(design)
-    yield Key("gearbox.mass", "gearbox", "mass", design.gearbox)
+    yield ComputedKey("gearbox.mass", "gearbox", "mass", design.gearbox)
     for name, pair in design.pairs.items():
         idle = {field for field, _ in _idle(design, name, owners[name])}
-        yield from (Key(f"{name}.{end}", f"pairs.{name}", f, pair) for f, end in _OF_PAIRS.items() if f not in idle)
+        yield from (
+            ComputedKey(f"{name}.{end}", f"pairs.{name}", f, pair) for f, end in _OF_PAIRS.items() if f not in idle
+        )
     for name, planetary in design.planetaries.items():
-        yield from (Key(f"{name}.{end}", f"planetaries.{name}", f, planetary) for f, end in _OF_SETS.items())
+        yield from (ComputedKey(f"{name}.{end}", f"planetaries.{name}", f, planetary) for f, end in _OF_SETS.items())
     yield from _of_compounds(design)
     for name in design.shafts:
         layout = design.layout.get(name, NOTHING_GIVEN)
-        yield from (Key(f"{name}.{field}", f"layout.{name}", field, layout) for field in _OF_SHAFTS)
+        yield from (ComputedKey(f"{name}.{field}", f"layout.{name}", field, layout) for field in _OF_SHAFTS)
     for table in WEIGHED:
         for name, machine in getattr(design, table).items():
             fields = _OF_ELECTRIC if isinstance(machine, ElectricMachine) else ("mass",)
             yield from (Key(f"{name}.{field}", f"{table}.{name}", field, machine) for field in fields)
 
 
-def _of_compounds(design: Design) -> Iterator[Key]:
+def _of_compounds(design: Design) -> Iterator[ComputedKey]:
     """Yield what can be given of compound sets: of every gear, of the carrier and of its pins."""
     for name, epicyclic in design.epicyclics.items():
         table = f"epicyclics.{name}"
         for kind, gears in (("suns", epicyclic.suns), ("rings", epicyclic.rings), ("planets", epicyclic.planets)):
             for gear_name, gear in gears.items():
                 place = f"{table}.{kind}.{gear_name}"
-                yield from (Key(f"{name}.{gear_name}.{field}", place, field, gear) for field in _OF_COMPOUND_GEARS)
-        yield from (Key(f"{name}.{end}", table, f, epicyclic) for f, end in _OF_SETS.items() if f in _OF_CARRIERS)
+                yield from (
+                    ComputedKey(f"{name}.{gear_name}.{field}", place, field, gear) for field in _OF_COMPOUND_GEARS
+                )
+        yield from (
+            ComputedKey(f"{name}.{end}", table, f, epicyclic) for f, end in _OF_SETS.items() if f in _OF_CARRIERS
+        )
 
 
 def _idle(design: Design, name: str, owner: str) -> Iterator[tuple[str, str]]:

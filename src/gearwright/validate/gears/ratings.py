@@ -16,7 +16,6 @@ from gearwright.parts.iso6336 import (
     BendingRating,
     Edition,
     GearSteel,
-    LoadFactors,
     MeshDuty,
     MeshGeometry,
     MeshQuality,
@@ -26,6 +25,7 @@ from gearwright.parts.iso6336 import (
     RootSection,
     RootStrengthFactors,
     ShaperCutter,
+    ToothLoadFactors,
     ToothProportions,
     Treatment,
     Value,
@@ -43,7 +43,7 @@ from gearwright.parts.iso6336 import (
 from gearwright.parts.losses import (
     OIL_DENSITY,
     Friction,
-    MeshDuty as LossDuty,
+    LossDuty as LossDuty,
     MeshLaw,
     OilState,
     ToothContact,
@@ -314,7 +314,7 @@ _TEMPERED = GearSteel(
     "34CrNiMo6", Treatment.THROUGH_HARDENED, "MQ", 240.0 / BRINELL_PER_VICKERS, 700 * _MPA, 290 * _MPA,
     yield_strength=1000 * _MPA,
 )  # fmt: skip
-_LOADS = tuple(LoadFactors(1.25, 1.1, dynamic, face_contact=1.15, face_bending=1.12) for dynamic in (1.01, 1.05))
+_LOADS = tuple(ToothLoadFactors(1.25, 1.1, dynamic, face_contact=1.15, face_bending=1.12) for dynamic in (1.01, 1.05))
 """As printed, of sun-planet and planet-ring."""
 _ROUGH = MeshQuality(flank_roughness=4.8e-6, root_roughness=20e-6, viscosity=220e-6)
 _SPEED = 12.1 * RPM * 56.0 / 19.0
@@ -373,7 +373,7 @@ RIG = MeshGeometry(
     (51.0, 52.0), 1 * _MM, 15 * _MM, 52 * _MM, (26.447 * _MM, 26.894 * _MM),
     proportions=(ToothProportions(1.1, 0.2, -0.2030), ToothProportions(1.25, 0.2, 0.0117)),
 )  # fmt: skip
-_RIG_LOADS = LoadFactors(dynamic=1.56, face_bending=1.16)
+_RIG_LOADS = ToothLoadFactors(dynamic=1.56, face_bending=1.16)
 
 
 _RIG_STEEL = GearSteel("16MnCr5", Treatment.CASE_HARDENED, "MQ", 700.0, 1500 * _MPA, 430 * _MPA)

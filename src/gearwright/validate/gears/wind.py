@@ -13,7 +13,6 @@ from gearwright.parts.iso6336 import (
     DynamicFactor,
     Edition,
     GearSteel,
-    LoadFactors,
     MeshDeviations,
     MeshDuty,
     MeshGeometry,
@@ -22,6 +21,7 @@ from gearwright.parts.iso6336 import (
     PittingRating,
     RootBody,
     ShaperCutter,
+    ToothLoadFactors,
     ToothProportions,
     Treatment,
     bending_rating,
@@ -80,9 +80,9 @@ _SPEED, _FAST = (294.5 - 47.8) * RPM, 1165.9 * RPM
 """Of the second sun against its carrier, and of the pinion [rad/s]."""
 _TORQUE = 162_105.5 / 3.0
 _LOADS = (
-    LoadFactors(1.25, 1.1, 1.06, face_contact=2.06, face_bending=1.94),
-    LoadFactors(1.25, 1.1, 1.06, face_contact=1.15, face_bending=1.14),
-    LoadFactors(1.25, 1.0, 1.092, 1.150, 1.069, 1.136, 1.069),
+    ToothLoadFactors(1.25, 1.1, 1.06, face_contact=2.06, face_bending=1.94),
+    ToothLoadFactors(1.25, 1.1, 1.06, face_contact=1.15, face_bending=1.14),
+    ToothLoadFactors(1.25, 1.0, 1.092, 1.150, 1.069, 1.136, 1.069),
 )
 """As printed, of sun-planet, planet-ring and the helical pair."""
 _STEELS = ((_CASE, _CASE), (_CASE, _TEMPERED), (_CASE, _CASE))
