@@ -273,7 +273,7 @@ class Line:
 
 
 def plan_with(
-    line: Line, option: Option, widths: Mapping[str, float], bores: Mapping[str, float], held: Mapping[str, float]
+    line: Line, option: BearingPair, widths: Mapping[str, float], bores: Mapping[str, float], held: Mapping[str, float]
 ) -> ShaftPlan:
     """Return a shaft with bearings: its length, and where everything on it stands, in whole millimetres.
 
@@ -446,7 +446,7 @@ def _bores(design: Design, shaft: str) -> tuple[float | None, ...]:
     return BORES if is_open else (None,)
 
 
-def _with(sizing: Sizing, context: Context, line: Line, option: Option, axes: Mapping[str, complex]) -> Stood:
+def _with(sizing: Sizing, context: Context, line: Line, option: BearingPair, axes: Mapping[str, complex]) -> Stood:
     """Return a shaft in bearings of some kinds, which stand as their widths ask for: the best that is found."""
     widths, bores, held = dict[str, float](), dict[str, float](), dict[str, float]()
     fitting, last = list[Stood](), None

@@ -225,7 +225,7 @@ def attempt_with(task: ShaftTask, seated: Seating, needed: Mapping[str, float]) 
     Args:
         task: What it is built from.
         seated: What its bearings bear, and their sizes.
-        needed: Stretch -> diameter that it needs so far [m].
+        needed: ShaftStretch -> diameter that it needs so far [m].
 
     Raises:
         DesignError: If no bearing will do, or a part cannot be slid on.
@@ -236,7 +236,7 @@ def attempt_with(task: ShaftTask, seated: Seating, needed: Mapping[str, float]) 
     return _judged(task, stretches, chosen)
 
 
-def ended(task: Task, seated: Seating, attempt: Attempt) -> Attempt:
+def ended(task: ShaftTask, seated: Seating, attempt: Attempt) -> Attempt:
     """Return a shaft that has grown with room for what holds its bearings at both ends, and diameters for its seals.
 
     Seats go on where a thinner end would leave no room for a ring or nut that axial force asks for. Diameters of seals
@@ -254,8 +254,8 @@ def ended(task: Task, seated: Seating, attempt: Attempt) -> Attempt:
 
 
 def _at_ends(
-    stretches: tuple[Stretch, ...], pulls: tuple[float, float], leaves: tuple[bool, bool]
-) -> tuple[Stretch, ...]:
+    stretches: tuple[ShaftStretch, ...], pulls: tuple[float, float], leaves: tuple[bool, bool]
+) -> tuple[ShaftStretch, ...]:
     """Return a shaft with longer seats at its outermost bearings where force pulls, and seals beyond them."""
     for way in (0, 1):
         side = _sealed(_held(list(stretches[:: 1 - 2 * way]), pulls[way], leaves=leaves[way]), leaves=leaves[way])
@@ -263,7 +263,7 @@ def _at_ends(
     return stretches
 
 
-def _pulls(task: Task, seated: Seating, stretches: Sequence[Stretch]) -> tuple[float, float]:
+def _pulls(task: ShaftTask, seated: Seating, stretches: Sequence[ShaftStretch]) -> tuple[float, float]:
     """Return what pulls the shaft out of bearings, or hubs off it, on each side of its thickest part [N]."""
     thick = largest(stretches, lambda stretch: stretch.diameter)
     middle, factor = (thick.start + thick.end) / 2.0, task.context.design.service.application_factor
@@ -278,7 +278,7 @@ def _pulls(task: Task, seated: Seating, stretches: Sequence[Stretch]) -> tuple[f
     return found[0], found[1]
 
 
-def _thrust(task: Task, name: str) -> float:
+def _thrust(task: ShaftTask, name: str) -> float:
     """Return what pushes a gear along its shaft, at most: of a bevel or face gear the force around it [N]."""
     gear, joint = task.gears[name], task.joints[name]
     pair = task.context.design.pairs.get(gear.stage)
@@ -288,7 +288,7 @@ def _thrust(task: Task, name: str) -> float:
     return task.seats[name].torque / (gear.pitch_diameter / 2.0) * slope if pair.halves == 1 else 0.0
 
 
-def _held(side: list[Stretch], force: float, *, leaves: bool) -> list[Stretch]:
+def _held(side: list[ShaftStretch], force: float, *, leaves: bool) -> list[ShaftStretch]:
     """Return stretches from an end inwards whose outermost bearing has room beside it for what holds it.
 
     Where the shaft leaves the housing there, its seal runs on that, too.
@@ -301,7 +301,7 @@ def _held(side: list[Stretch], force: float, *, leaves: bool) -> list[Stretch]:
     return _cut(side, at, seat, length + (seals[0].width + SEAL_PLATE if seals else 0.0), "beside") if length else side
 
 
-def _sealed(side: list[Stretch], *, leaves: bool) -> list[Stretch]:
+def _sealed(side: list[ShaftStretch], *, leaves: bool) -> list[ShaftStretch]:
     """Return stretches from an end inwards with the one under its seal, as thick as the next larger seal wants.
 
     Where that is thicker than the bearing's seat, or nothing lies between the bearing and what sits further out, it
@@ -317,7 +317,7 @@ def _sealed(side: list[Stretch], *, leaves: bool) -> list[Stretch]:
     return _cut(side, at, wanted, length, "seal beside")
 
 
-def _cut(side: list[Stretch], at: int, diameter: float, length: float, what: str) -> list[Stretch]:
+def _cut(side: list[ShaftStretch], at: int, diameter: float, length: float, what: str) -> list[ShaftStretch]:
     """Return stretches with the part of one that lies beside a bearing as thick as is wanted there."""
     free, bearing = side[at - 1], side[at]
     if length >= free.length - SAME:

@@ -577,7 +577,7 @@ def _carrier(
     loads = _loads(context, name, planet, radius, torques=torques, push=planet_push(context, gears, name))
     pins = {str(Role.PLANET): _pins_of(planet, radius)}
     count = context.design.planetaries[name].planets
-    asked = _Asked(count, max(torques), diameters.get(context.design.sets[name].carrier, 0.0))
+    asked = _CarrierDuty(count, max(torques), diameters.get(context.design.sets[name].carrier, 0.0))
     if beyond and _has_bridges(context, planet, radius, asked):
         asked = asked._replace(plates=2)
     return _sized(context, name, pins, loads, asked=asked, room=_room(context, name, gears))
@@ -592,14 +592,14 @@ def _compound(
         body: _Pins(abs(place), pin_length(stage, body, own)) for body, place in set_pins(context, name, own).items()
     }
     torque, loads = max(map(abs, _carrier_torques(context, name))), pin_loads(context, name, own)
-    asked = _Asked(stage.sets, torque, diameters.get(stage.carrier, 0.0))
+    asked = _CarrierDuty(stage.sets, torque, diameters.get(stage.carrier, 0.0))
     planets = [own[step] for step in stage.planets]
     if beyond and len(planets) == 1 and _has_bridges(context, planets[0], pins[planets[0].own].radius, asked):
         asked = asked._replace(plates=2)
     return _sized(context, name, pins, loads, asked=asked, room=_room(context, name, gears))
 
 
-def _has_bridges(context: Context, planet: GearSizing, radius: float, asked: _Asked) -> bool:
+def _has_bridges(context: Context, planet: GearSizing, radius: float, asked: _CarrierDuty) -> bool:
     """Tell whether planets leave room for bridges that carry half of the torque to a second plate."""
     if asked.equal < 2:
         return False

@@ -119,7 +119,7 @@ class Wanted:
     length: float
     """Of the shaft [m]."""
     needed: Mapping[str, float]
-    """Stretch -> diameter that it needs [m]; what carries nothing is not in it."""
+    """ShaftStretch -> diameter that it needs [m]; what carries nothing is not in it."""
     fixed: Mapping[str, float]
     """Hub -> diameter that the user gives [m]."""
     core: float | None
@@ -264,12 +264,12 @@ def whole_millimetres(length: float) -> float:
     return math.ceil(1e3 * length - 1e-6) / 1e3
 
 
-def _past(wanted: Wanted, inner: Stretch) -> float:
+def _past(wanted: Wanted, inner: ShaftStretch) -> float:
     """Return how thick a shaft may be that what sits on a stretch is slid over [m]."""
     return wanted.over(inner.name, inner.diameter) if inner.kind == "hub" else inner.diameter
 
 
-def _shouldered(side: list[Stretch], most: float) -> list[Stretch]:
+def _shouldered(side: list[ShaftStretch], most: float) -> list[ShaftStretch]:
     """Return stretches whose last one, beside a bearing, is its shoulder where what sits further in goes over that."""
     if len(side) < 2 or side[-1].kind != "between" or not side[-1].length > SAME:
         return side
@@ -354,13 +354,13 @@ def _collared(stretches: list[ShaftStretch], low: int, high: int) -> list[ShaftS
     return [stretch.of(collar) if k == at else stretch for k, stretch in enumerate(stretches)]
 
 
-def _collar(stretches: Sequence[Stretch], hub: int) -> int | None:
+def _collar(stretches: Sequence[ShaftStretch], hub: int) -> int | None:
     """Return which of the stretches beside a hub has its collar: the longer one; None where neither has a length."""
     sides = [k for k in (hub - 1, hub + 1) if stretches[k].length > SAME]
     return largest(sides, lambda k: stretches[k].length) if sides else None
 
 
-def _ends(stretches: list[Stretch], wanted: Wanted) -> list[Stretch]:
+def _ends(stretches: list[ShaftStretch], wanted: Wanted) -> list[ShaftStretch]:
     """Return the stretches that have a length; an end that carries nothing is as thick as what slides over it."""
     if stretches[0].diameter == 0.0:
         stretches = [stretches[0].of(_beside(stretches[1], wanted)), *stretches[1:]]

@@ -599,7 +599,7 @@ def _modules(task: StageTask, needed: Floats) -> Floats:
     return np.asarray(table[first[:, None] + np.arange(_TRIED)])
 
 
-def _narrow(task: Task, modules: Floats, teeth: Floats) -> Floats:
+def _narrow(task: StageTask, modules: Floats, teeth: Floats) -> Floats:
     """Return the narrowest faces that are tried, in whole millimetres [m]; as bearings of all planets ask for them."""
     asked = task.rating.least_area * math.cos(task.rating.helix_angle) / (modules * teeth)
     least = np.maximum(modules * least_width(task.rating, 1.0), asked)

@@ -612,7 +612,7 @@ def givable(design: Design) -> Iterator[ComputedKey]:
     for table in WEIGHED:
         for name, machine in getattr(design, table).items():
             fields = _OF_ELECTRIC if isinstance(machine, ElectricMachine) else ("mass",)
-            yield from (Key(f"{name}.{field}", f"{table}.{name}", field, machine) for field in fields)
+            yield from (ComputedKey(f"{name}.{field}", f"{table}.{name}", field, machine) for field in fields)
 
 
 def _of_compounds(design: Design) -> Iterator[ComputedKey]:
