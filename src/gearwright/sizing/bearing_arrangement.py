@@ -19,7 +19,7 @@ from gearwright.sizing.rating import Context, context_of
 from gearwright.sizing.result import Body, GearSizing, ShaftPlan, Sizing
 from gearwright.sizing.shafts import built_checks
 from gearwright.sizing.shafts.building import Built, build_shaft
-from gearwright.sizing.shafts.ends import groove_checks
+from gearwright.sizing.shafts.ends import groove_checks, groove_strengths
 from gearwright.sizing.shafts.retention import ends, holding_room, retention_checks
 from gearwright.sizing.shafts.shafts import shaft_material
 from gearwright.sizing.shafts.stretches import whole_millimetres
@@ -57,7 +57,9 @@ class Item(NamedTuple):
     kind: str
     """``gear`` of a pair, ``set``, ``machine``, ``airscrew``, ``bearing``, or ``link``: a clutch, brake or damper."""
     inside: float = 0.0
-    """How far its shaft goes on beyond its place where it ends there: a sun's as far as its teeth [m]."""
+    """How far its shaft goes on beyond its place where it ends there: a sun's or a ring's as far as its teeth [m]."""
+    is_sun: bool = False
+    """Whether the planets around it hold it."""
 
 
 class Core(NamedTuple):
@@ -83,9 +85,9 @@ def items_on(sizing: Sizing, shaft: str) -> tuple[Item, ...]:
     for name, place in plan.places.items():
         if name in sets:
             middle = _middle(sizing, shaft, name, sets[name])
+            inside = gears[name].face_width / 2.0 if name in gears else 0.0
             sun = name in gears and gears[name].role is Role.SUN
-            inside = gears[name].face_width / 2.0 if sun else 0.0
-            found.append(Item(name, middle, *_taken(sizing, shaft, middle, sets[name]), "set", inside))
+            found.append(Item(name, middle, *_taken(sizing, shaft, middle, sets[name]), "set", inside, sun))
         elif name in gears:
             found.append(Item(name, place, *_taken(sizing, shaft, place, gears[name]), "gear"))
         else:
@@ -145,7 +147,7 @@ def core_of(items: Sequence[Item]) -> Core | None:
     if screws:
         beside = max(screws[0], 1)
         return Core(beside, beside)
-    held = [item for item in items if item.kind == "set" and not item.inside]
+    held = [item for item in items if item.kind == "set" and not item.is_sun]
     if not held or not machines:
         return None
     between = [k for k in machines if 0 < k < len(items) - 1]
@@ -517,11 +519,10 @@ def _weak_seats(alone: Sizing) -> Iterator[tuple[str, Check]]:
         if check.fails:
             yield check.part.name, check
     weak = [check for check in groove_checks(alone) if check.fails]
+    places = [one.position for one in groove_strengths(alone)] if weak else []
     for held in ends(alone):
-        if held.has_ring and held.ring is not None:
-            for check in weak:
-                if check.mode.endswith(held.ring.designation):
-                    yield held.outermost, check
+        if held.has_ring and any(abs(place - held.place) < held.room for place in places):
+            yield from ((held.outermost, check) for check in weak)
 
 
 def splines_of(line: Line) -> dict[str, Joint]:
