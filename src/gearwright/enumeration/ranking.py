@@ -43,7 +43,7 @@ from gearwright.sizing.rating import MESHES
 from gearwright.spec import Design, at_level, edited
 from gearwright.store import load, save
 from gearwright.study import EqualLife, equal_life
-from gearwright.study.architectures import Difference, difference, in_bearings
+from gearwright.study.architectures import Difference, difference, in_bearings, with_public_motors
 from gearwright.version import __version__
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -420,7 +420,8 @@ def architectures(
         DesignError: If the design asks for other machines, or a number cannot be; if the journal is of something else.
     """
     refuse(_problems(life, stages, closed, workers))
-    asked = requirement_of(design, fastest=fastest)
+    asked = requirement_of(with_public_motors(design), fastest=fastest)
+    rivals = {name: with_public_motors(one) for name, one in (beside or {}).items()}
     counts, motor = tuple(sorted(set(stages))), asked.motor is not None
     every = list(trains(asked.ratio, stages=counts, motor=motor, added=asked.added))
     if not every:
@@ -428,14 +429,14 @@ def architectures(
             f"no train of {' or '.join(map(str, stages))} stages gives a ratio of {asked.ratio:.4g}; ask for others"
         )
         refuse([Problem("stages", message)], design.name)
-    kept = _begun(journal, _digest(asked, life, beside or {}))
+    kept = _begun(journal, _digest(asked, life, rivals))
     say = tell or _quiet
     with _keeping(journal, kept) as book:
         say(f"{len(every)} architectures for a ratio of {asked.ratio:.4g}")
         anew = max(closed, CLOSED) * _ANEW if closed else 0  # the same order, however few of them are closed
         rows = _ranked(_Task(asked, life, workers, say, book), every, anew)
         best = [row for row in rows if row.design is not None][:closed]
-        wanted = {row.architecture.slug: row.design for row in best if row.design is not None} | dict(beside or {})
+        wanted = {row.architecture.slug: row.design for row in best if row.design is not None} | rivals
         open_ones = [named for named in wanted.items() if named[0] not in book.closed]
         open_ones.sort(key=lambda named: -len(named[1].stages))  # the longest first: no process waits
         for name, lives in computed(partial(_closed, life=life), open_ones, workers):

@@ -16,8 +16,11 @@ from gearwright.sizing import Sizing, size
 from gearwright.sizing.bearing_arrangement import bare_shafts
 from gearwright.sizing.mass import MassGroup, Statistics, complete_mass, statistics_beside
 from gearwright.sizing.rating import MESHES
-from gearwright.spec import Design, design_text, parse, read
+from gearwright.spec import Design, design_text, edited, parse, read
 from gearwright.study.running import comparison_of
+
+PUBLIC = "public"
+"""Law of electric machines by which designs are ranked: torque and speed of public ones."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -79,7 +82,8 @@ def equal_life(
 ) -> tuple[EqualLife, ...]:
     """Return designs closed for one life, the lightest that meet everything first, then those that do not.
 
-    A design that does not close has its nearest variant that does in a row of its own (`nearest_variant`).
+    A design that does not close has its nearest variant that does in a row of its own (`nearest_variant`). Electric
+    machines weigh by one law in all of them (`with_public_motors`).
 
     Args:
         designs: Name -> design; left out: the architectures of the shipped study.
@@ -92,10 +96,25 @@ def equal_life(
         say = None if tell is None else _named(tell, name)
         try:
             with MESHES.sharing():
-                rows += _rows(name, design, asked, say)
+                rows += _rows(name, with_public_motors(design), asked, say)
         except DesignError as error:
             rows.append(_refused(name, error.problems))
     return tuple(sorted(rows, key=_order))
+
+
+def with_public_motors(design: Design) -> Design:
+    """Return a design whose electric machines weigh as public ones do, so that rivals weigh by one law.
+
+    Args:
+        design: What it gives as a mass stays.
+    """
+    laws = {
+        f"{table}.{name}.mass_law": PUBLIC
+        for table in ("motors", "generators")
+        for name, machine in getattr(design, table).items()
+        if machine.mass is None and machine.mass_law != PUBLIC
+    }
+    return edited(design, laws) if laws else design
 
 
 def closed_designs(rows: Iterable[EqualLife]) -> dict[str, Particulars]:

@@ -18,7 +18,16 @@ from gearwright.render.words.study import equal_life_sentences
 from gearwright.reviews import Verdict, review
 from gearwright.spec import edited, parse
 from gearwright.study import equal_life
-from gearwright.study.architectures import MOTORS, OWN, SEPARABLE, _shortest, closed_designs, difference, in_bearings
+from gearwright.study.architectures import (
+    MOTORS,
+    OWN,
+    SEPARABLE,
+    _shortest,
+    closed_designs,
+    difference,
+    in_bearings,
+    with_public_motors,
+)
 
 HOUR = 3600.0
 GOOD = edited(parse(PAIR), {"gears.rating": "iso6336"})
@@ -133,3 +142,18 @@ def test_nine_tenths_on_one_side_of_nought_are_separable(times, separable):
     found = difference(good, other)
     assert found.probability == pytest.approx(0.5 * (1.0 + math.erf(times / math.sqrt(2.0))))
     assert found.separable is separable is (max(found.probability, 1.0 - found.probability) >= SEPARABLE)
+
+
+def test_rivals_weigh_by_one_law_of_electric_machines_and_a_mass_that_is_given_stays():
+    hybrid = gw.read("in-line-h1")
+    (name,) = hybrid.motors
+    assert hybrid.motors[name].mass_law == "ndarc"
+    public = with_public_motors(hybrid)
+    assert public.motors[name].mass_law == "public"
+    sizing = gw.size(public)
+    assert 45.0 < sizing.motor_mass < 75.0
+    assert sizing.machines_mass > sizing.motor_mass + 100.0, "an inverter and cooling of one megawatt beside it"
+    given = edited(hybrid, {f"motors.{name}.mass_kg": 60.0})
+    assert with_public_motors(given) == given
+    conventional = gw.read("in-line")
+    assert with_public_motors(conventional) is conventional

@@ -613,7 +613,8 @@ _NOTE = (
     " first, the lightest with its machines at the top. Verdict: that of an independent review of the written design;"
     " what fails stands with its best margin, and the nearest variant that closes has a row of its own. Shortest life:"
     " of the gear (at the asked safeties) or bearing that ends first; a dash where none ends before 1e6 h, and then"
-    " what is nearest to its limit."
+    " what is nearest to its limit. Electric machines weigh as public ones of their torque and speed do, unless"
+    " a design gives their mass."
 )
 _GROUPS = make_dataclass("_Groups", [("design", str), *((name, Mass) for name in GROUPS), ("total", Mass)], frozen=True)
 
