@@ -7,6 +7,7 @@ import pytest
 from designs import PAIR, changed
 from gearwright.closure import Course, Outcome, Source, Wishes, best_so_far, close
 from gearwright.errors import DesignError
+from gearwright.reviews import review
 from gearwright.spec import design_text, edited, parse
 from gearwright.study.closing import course_of, digest_of, keep_in
 
@@ -136,7 +137,8 @@ def test_a_closed_design_is_closed_as_it_stands(text):
 
 @pytest.mark.parametrize("text", [TEXT, SET, STEPPED], ids=["pair", "set", "stepped"])
 @pytest.mark.parametrize("ease", ["life", "power"])
-def test_what_is_asked_less_is_never_heavier_from_what_was_closed(text, ease):
+def test_what_is_asked_less_is_never_heavier_from_what_was_closed_but_for_resonances(text, ease):
+    """Less load moves modes: what was clear of a mesh may run in it then, and a closure has to leave it."""
     design = parse(text)
     machine = next(f"{kind}.{name}" for kind in ("turbines", "motors") for name in getattr(design, kind))
     changes = {
@@ -146,7 +148,9 @@ def test_what_is_asked_less_is_never_heavier_from_what_was_closed(text, ease):
     before = close(edited(design, {"gears.rating": "iso6336"}))
     eased = close(edited(design, {"gears.rating": "iso6336", **changes}), start=before.design)
     assert eased.outcome is Outcome.CLOSED
-    assert eased.whole.total <= before.whole.total * (1.0 + 1e-9)
+    if eased.whole.total > before.whole.total * (1.0 + 1e-9):
+        kept = [check.mode for check in review(edited(before.design, changes)).failing]
+        assert kept and all(mode.startswith("resonance") for mode in kept)
 
 
 def test_a_closed_file_is_written_as_a_person_would():

@@ -162,7 +162,7 @@ def test_the_lightest_of_several_sizings_that_pass_is_taken_and_the_next_is_told
 
     monkeypatch.setattr(module, "choose_teeth", lambda *_: iter(outcomes))
     monkeypatch.setattr(module, "geared", geared)
-    monkeypatch.setattr(module.Fitted, "of", staticmethod(lambda choice: choice))
+    monkeypatch.setattr(module.Fitted, "of", staticmethod(lambda choice, _: choice))
     monkeypatch.setattr(module, "completed", lambda choice, given, **_: Weighed(*choice, search))
     monkeypatch.setattr(module, "_failing", lambda sizing: sizing.fails)
     monkeypatch.setattr(module, "complete_mass", lambda sizing: SimpleNamespace(total=sizing.mass))

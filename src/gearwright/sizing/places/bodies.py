@@ -15,7 +15,7 @@ from gearwright.parts.bevel_geometry import bevel_profile
 from gearwright.parts.gears import revolved_volume
 from gearwright.sizing.axis_order import PLATE_GAP, set_length, slots
 from gearwright.sizing.gear_geometry import ring_radii
-from gearwright.sizing.places.frames import apart_of, bevel_cones, frames_of, room_between, set_members
+from gearwright.sizing.places.frames import apart_of, bevel_cones, frames_of, set_members, stand_into
 from gearwright.sizing.rating import BACKUP, Context
 from gearwright.sizing.result import Arrangement, Body, Frame, GearSizing, Point, Sizing, Station
 from gearwright.sizing.shaft_results import BearingSizing, BuiltShaft, CarrierSizing, ShaftSizing
@@ -388,7 +388,7 @@ def _has_room(sizing: Standing, plate: Body) -> bool:
         beside, tilt = math.hypot(*_cross(off, axis)), math.hypot(*_cross(body.direction, axis))
         if body.part.kind is Kind.SHAFT and beside < _IN_LINE and tilt < _IN_LINE:
             continue
-        if room_between(plate, body, enough=0.0).gap < 0.0:
+        if stand_into(plate, body, 0.0):
             return False
     return True
 

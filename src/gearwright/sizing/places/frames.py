@@ -164,7 +164,8 @@ def stand_into(one: Body, other: Body, touch: float) -> bool:
         touch: How far they may by rounding [m].
     """
     if _are_cylinders(one, other):
-        return room_between(one, other).gap < -touch
+        cosine = sum(a * b for a, b in zip(one.direction, other.direction, strict=True))
+        return max(room.gap for room in _beside_each_other(one, other, math.copysign(1.0, cosine))) < -touch
     first, second = solid_of(one), solid_of(other)
     if any(room.gap >= -touch for room in (*_inside(first, second), *_inside(second, first))):
         return False
@@ -226,18 +227,23 @@ def _square_to(ways: Floats) -> Floats:
 
 def _side_by_side(one: Body, other: Body, sense: float) -> Room:
     """Return the room between two cylinders whose axes are parallel: beside, before or around each other."""
-    between = [b - a for a, b in zip(one.origin, other.origin, strict=True)]
-    start = sum(way * along for way, along in zip(between, one.direction, strict=True))
-    off = math.sqrt(max(sum(way * way for way in between) - start * start, 0.0))
-    middles = abs(start + sense * other.length / 2.0 - one.length / 2.0)
-    ahead, beside = Room(middles, (one.length + other.length) / 2.0), Room(off, one.radius + other.radius)
-    rooms = [ahead, beside]
+    rooms = _beside_each_other(one, other, sense)
+    ahead, beside = rooms[:2]
     if ahead.gap > 0.0 and beside.gap > 0.0:
         far = math.hypot(ahead.gap, beside.gap)
         apart = (ahead.apart * ahead.gap + beside.apart * beside.gap) / far
         rooms.append(Room(apart, apart - far))
-    rooms += [Room(body.bore, off + mate.radius) for body, mate in ((one, other), (other, one)) if body.bore]
     return max(rooms, key=lambda room: room.gap)
+
+
+def _beside_each_other(one: Body, other: Body, sense: float) -> list[Room]:
+    """Return the room between two cylinders whose axes are parallel along these, across, and in each other's bores."""
+    between = [b - a for a, b in zip(one.origin, other.origin, strict=True)]
+    start = sum(way * along for way, along in zip(between, one.direction, strict=True))
+    off = math.sqrt(max(sum(way * way for way in between) - start * start, 0.0))
+    middles = abs(start + sense * other.length / 2.0 - one.length / 2.0)
+    rooms = [Room(middles, (one.length + other.length) / 2.0), Room(off, one.radius + other.radius)]
+    return rooms + [Room(body.bore, off + mate.radius) for body, mate in ((one, other), (other, one)) if body.bore]
 
 
 def _gaps(one: Solid, other: Solid, directions: Floats) -> Floats:
