@@ -164,7 +164,9 @@ def test_the_lightest_of_several_sizings_that_pass_is_taken_and_the_next_is_told
     monkeypatch.setattr(module, "geared", geared)
     monkeypatch.setattr(module.Fitted, "of", staticmethod(lambda choice, _: choice))
     monkeypatch.setattr(module, "completed", lambda choice, given, **_: Weighed(*choice, search))
+    lacking = SimpleNamespace(margin=0.5)
     monkeypatch.setattr(module, "_failing", lambda sizing: sizing.fails)
+    monkeypatch.setattr(module._Looked, "failing", lambda _, sizing: [lacking] * sizing.fails)
     monkeypatch.setattr(module, "complete_mass", lambda sizing: SimpleNamespace(total=sizing.mass))
     taken = size(parse(PAIR))
     assert taken.mass == 3.0 and taken.search.next_sized_mass == 4.0
