@@ -72,7 +72,7 @@ class Candidate:
     first_mass: float | None = None
     """Of gears, shafts and carriers as a first sizing, with its motor [kg]."""
     first_complete: float | None = None
-    """Of the whole gearbox of that first sizing, with its motor [kg]."""
+    """Of the whole gearbox of that first sizing, with its motor; inverter and cooling are the same for all [kg]."""
     design: Design | None = None
     """At level preliminary; None where it is refused, or far from the lightest as a first sizing."""
     complete_mass: float | None = None
@@ -155,7 +155,7 @@ def sketched(requirement: Requirement, architecture: Architecture, *, most: floa
     try:
         first, best, places = _lightest(requirement, architecture)
         sizing = size_unturned(best.design)
-        whole = complete_mass(sizing).total + sizing.machines_mass
+        whole = complete_mass(sizing).total + sizing.motor_mass
     except GearwrightError as error:
         return Candidate(architecture, refused=_words(error))
     return Candidate(architecture, best.ratios, best.motor_speed, places, first, whole)
@@ -177,7 +177,7 @@ def _middle(requirement: Requirement, architecture: Architecture) -> Candidate |
     try:
         made = built(requirement, architecture, places)
         sizing = size_unturned(made.design)
-        whole = complete_mass(sizing).total + sizing.machines_mass
+        whole = complete_mass(sizing).total + sizing.motor_mass
     except GearwrightError:
         return None
     return Candidate(architecture, made.ratios, made.motor_speed, places, _first_mass(sizing), whole)
