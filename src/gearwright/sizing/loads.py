@@ -196,6 +196,8 @@ def _toward_mesh(mesh: Mesh, side: int, axes: Mapping[str, complex]) -> complex:
 # ----------------------------------------------------------------------------------------------------------------------
 
 
+_NO_FORCE = 1e-9
+"""Force of a bearing over the largest force on its shaft below which it is rounding [-]."""
 _ROUNDING = 1e-6
 """Moment over the largest one below which it is rounding [-]."""
 _BESIDE = 1e-9
@@ -251,9 +253,13 @@ class ShaftForces(NamedTuple):
         return self.whole.force[..., -2:] if self.bends else np.zeros((len(self.axial), 2, 2))
 
     def largest_radial(self) -> Floats:
-        """Return what both radial bearings must bear [N], (cases, 2): rotors point where they load each one most."""
+        """Return what both radial bearings must bear [N], (cases, 2): rotors point where they load each one most.
+
+        Meshes that balance each other leave rounding, which is no force.
+        """
         parts = [part.loads.force[..., -2:] for part in self.apart] or [self.radial()]
-        return np.asarray(np.sum([np.hypot(part[:, 0], part[:, 1]) for part in parts], axis=0))
+        borne = np.asarray(np.sum([np.hypot(part[:, 0], part[:, 1]) for part in parts], axis=0))
+        return np.where(borne > _NO_FORCE * np.abs(self.whole.force).max(initial=0.0), borne, 0.0)
 
     def moments(self, positions: Floats) -> tuple[Floats, Floats]:
         """Return bending moment and torque at sections, the larger of both sides [N m], each (cases, n).

@@ -1,6 +1,7 @@
 """Shafts are put into bearings: what stands on them stays, what they bear is borne, the written design is the same."""
 
 import json
+import math
 from functools import cache
 from importlib import import_module
 from itertools import pairwise
@@ -261,3 +262,10 @@ def test_a_shaft_for_which_there_is_no_bearing_is_named():
     with pytest.raises(DesignError) as refused:
         pair(propellers__propeller__thrust_kn=2000.0)
     assert {problem.path.split("-")[0] for problem in refused.value.problems} == {"bearings.slow"}
+
+
+def test_meshes_that_balance_each_other_leave_a_bearing_no_force():
+    """The input of Off-Set stands between two equal wheels."""
+    between = bearings_of(arranged("off-set"), "input")
+    assert [one.radial for one in between] == [0.0] * len(between)
+    assert all(one.life == math.inf for one in between)
