@@ -21,8 +21,10 @@ FACTORS_OF_ONE = """
     AgmaMaking.temperature AgmaBevelDuty.overload BevelDuty.application_factor ContactStrengthFactors.life
     ContactStrengthFactors.lubricant ContactStrengthFactors.roughness ContactStrengthFactors.size
     ContactStrengthFactors.speed ContactStrengthFactors.work_hardening GearBlank.web_ratio GearSteel.survival
-    LoadFactors.application LoadFactors.dynamic LoadFactors.face_bending LoadFactors.face_contact LoadFactors.mesh_load
-    LoadFactors.transverse_bending LoadFactors.transverse_contact MeshDuty.application_factor MeshDuty.mesh_load_factor
+    ToothLoadFactors.application ToothLoadFactors.dynamic ToothLoadFactors.face_bending ToothLoadFactors.face_contact
+    ToothLoadFactors.mesh_load
+    ToothLoadFactors.transverse_bending ToothLoadFactors.transverse_contact MeshDuty.application_factor
+    MeshDuty.mesh_load_factor
     MeshQuality.profile_factor OilState.lubricant_factor RootBody.deep_tooth RootBody.rim RootStrengthFactors.life
     RootStrengthFactors.mean_stress RootStrengthFactors.notch_sensitivity RootStrengthFactors.size
     RootStrengthFactors.surface ShaftSection.hardening FilmMesh.relief FilmMesh.supply LewisHertzRating.peaks
@@ -33,13 +35,14 @@ FACTORS_OF_ONE = """
     deflection_misalignment.paths key_length.keys key_pressure.keys fitting_turns.number GearContact.sense
     PlanetarySet.flank influences.wish Needs.kept needs_of.kept Choices.least_dynamic shifted_mesh.module
     PinionShaft.diameter Oil.kind Oil.supply ScuffingMesh.structure TransverseTooth.side
-    TeethSearch.sized Proportions.share Run.piece MeshDeviations.relief_term MeshQuality.blank mesh_springs.blank
-    MovingBody.meshes Rating.load_factor ScuffingMesh.mates Task.fastest Task.steady Part.ratio
+    TeethSearch.sized RollerProportions.share Run.piece MeshDeviations.relief_term MeshQuality.blank mesh_springs.blank
+    MovingBody.meshes Rating.load_factor ScuffingMesh.mates StageTask.fastest StageTask.steady Part.ratio
 """
 """Factors, counts and senses that leave a formula as it is."""
 
 NOTHINGS = """
-    Chosen.gear_mass Item.inside Line.slack Line.thicker Rating.least_area _Looked.sized Around.bell Around.per_heat
+    Chosen.gear_mass Item.inside Item.is_sun Line.slack Line.thicker Rating.least_area _Looked.sized MassBasis.bell
+    MassBasis.per_heat
     oil_mass.planets
     AxialLoad.amplitude AxialLoad.greatest AxialLoad.mean BearingGeometry.contact_angle BearingGeometry.roller_length
     BevelPair.spiral_angle BevelTooth.profile_shift CylindricalGear.helix_angle CylindricalGear.profile_shift
@@ -56,7 +59,8 @@ NOTHINGS = """
     BearingSizing.judged_life BearingSizing.lightest_load BearingSizing.least_load BearingSizing.highest_speed
     BearingSizing.reference_speed BearingSizing.speed_factor JointSizing.interference JointSizing.running_pressure
     JointSizing.needed_pressure JointSizing.module Unloaded.module_bending Unloaded.module_contact
-    Unloaded.bending_stress Unloaded.contact_stress Ask.speed Stretch.diameter Stretch.shoulder Stretch.fillet
+    Unloaded.bending_stress Unloaded.contact_stress Ask.speed ShaftStretch.diameter ShaftStretch.shoulder
+    ShaftStretch.fillet
     Section.radius Holder.force Holder.capacity Holder.lip covers.apart Shoulder.undercut Blank.holes Blank.dish
     bevel_volume.dish bevel_way.dish way_behind.dish frequency_number.rim
     SectionStrength.fillet Segment.bore bending_shaft.damping_ratio PropellerDrive.pitch_command MachineDrive.slope
@@ -67,18 +71,18 @@ NOTHINGS = """
     Model.load.damping Model.load.quadratic Disc.of_steel.bore PlanetarySet.sun_teeth fewest_teeth.gear
     ClassDamage.within.start TransverseTooth.helix_angle TransverseTooth.profile_shift TransverseTooth.tip_alteration
     TransverseTooth.shaper pin_stress.bore pin_mass.bore section_stresses.bore TeethSearch.refused
-    JointSizing.speed Ask.fastest Ask.relieved on_film.fastest Seat.speed TipRelief.stiffness
-    TipRelief.tolerance Task.deviation ClutchDrive.carried TeethSearch.failing
+    JointSizing.speed Ask.fastest Ask.relieved on_film.fastest JointSeat.speed TipRelief.stiffness
+    TipRelief.tolerance StageTask.deviation ClutchDrive.carried TeethSearch.failing
 """
 """Loads, shifts, bores, angles, dampings and errors that are not there."""
 
 NO = """
-    Groove.is_thread Part.static Iso6336._of_sizes.once
+    Groove.is_thread LoadStep.static Iso6336._of_sizes.once
     AgmaBevelMaking.is_critical Hardnesses.hard_pinion Hardnesses.hard_wheel MeanSection.is_static
     ShaftSection.hard_surface rim_factor.internal
     Load.static Ask.internal rim_below_roots.internal cylindrical_mesh.internal beyond_ranges.films Joint.is_open
     ClutchDrive.one_way Line.turns_along contact_life_curve.some_pitting
-    Needs.every PropellerDrive.beyond Seated.is_machine Task.made completed.still settle.still LoadSharing.by_size
+    Needs.every PropellerDrive.beyond Seated.is_machine StageTask.made completed.still settle.still LoadSharing.by_size
     LoadSharing.usual MovingBody.held TipRelief.stated body_inside.internal
 """
 PAIRS_OF_ONE = (
@@ -94,7 +98,8 @@ PAIRS_OF_NOTHING = """
 """
 ENDLESS = """
     AgmaBevelMaking.cutter_radius BevelDuty.cutter_radius ToothContact.base_pitch MachineDrive.highest_torque
-    MachineDrive.highest_power Member.support Item.limit room_between.enough solid_room.enough Unloaded.bending_margin
+    MachineDrive.highest_power Member.support SeatedPart.limit room_between.enough solid_room.enough
+    Unloaded.bending_margin
     Unloaded.contact_margin TeethSearch.next_sized_mass with_face.most
 """
 """What is straight, rigid or without a limit."""
@@ -146,7 +151,7 @@ OF_STANDARDS = {
     "bevel_way.web": 0.3, "bevel_volume.web": 0.3,
     "GearBlank.rim_ratio": 5.0, "rectangular_curve.step": 0.75,
     # Bearing steel of 7850 kg/m³; splines bear on three of four flanks; ISO/TR 14179-1: 0.0011, 0.003737 N m/mm a seal.
-    "rolling_weights.density": 7850.0, "Proportions.density": 7850.0, "spline_pressure.share": 0.75,
+    "rolling_weights.density": 7850.0, "RollerProportions.density": 7850.0, "spline_pressure.share": 0.75,
     "spline_length.share": 0.75, "bearing_torque_constant.friction": 0.0011,
     "seal_power_14179_1.torque_per_mm": 0.003737,
     # SKF: K_rs = 3e-8 of a bath; MIL-PRF-23699: 26 and 5 mm²/s at 40 and 100 °C, 950 kg/m³.
