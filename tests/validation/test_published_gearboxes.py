@@ -78,13 +78,13 @@ def test_the_model_of_5_mw_by_its_published_groups_of_which_carriers_are_a_third
     assert mass.of("housing") + mass.of("reaction") + rings == pytest.approx(25801.6, rel=0.15)
 
 
-def test_the_fan_drive_is_nearly_three_and_a_half_times_a_journalist_s_round_pounds_where_its_films_last():
-    """A known miss: 243 % above "about 200 lb", 174 % above the 250 lb told elsewhere; wider than "about 18 in".
+def test_the_fan_drive_is_more_than_three_times_a_journalist_s_round_pounds_where_its_films_last():
+    """A known miss: 229 % above "about 200 lb", 163 % above the 250 lb told elsewhere; 73 % wider than "about 18 in".
 
     No check of it fails: films of 12 µm at its power ask for planets that large.
     """
     found = row("Fan drive of 30 000 shp")
-    assert found.mass.total / found.gearbox.mass == pytest.approx(3.43, rel=0.02)
+    assert found.mass.total / found.gearbox.mass == pytest.approx(3.29, rel=0.02)
     assert not [check for check in found.sizing.checks if check.fails]
     ring = next(gear for gear in found.sizing.gears if gear.rim)
     assert 2.0 * ring.rim + ring.pitch_diameter == pytest.approx(1.73 * 18 * 0.0254, rel=0.02)

@@ -647,7 +647,9 @@ def _sized(
     needed = pin_diameter(worst.pin, lever, allowable)
     hollow = needed / math.cbrt(1.0 - PIN_BORE**4) if shared else needed
     pin = given.get(f"{name}.pin_diameter", max(hollow, pins[worst.body].seat))
-    bore = PIN_BORE * pin if shared else pin_bore(pin, needed) if pins[worst.body].seat else 0.0
+    bore = pin_bore(pin, needed) if pins[worst.body].seat or shared else 0.0
+    if shared and f"{name}.pin_diameter" in given:  # which its load moves as little as the pin
+        bore = PIN_BORE * pin
     room = room - outermost - pin / 2.0
     thinnest = max(rules.plate_ratio * length / asked.plates, pulled / (pin * allowable))
     if room > 0.0:  # where the ring leaves less metal outside the pins, plates are thicker
