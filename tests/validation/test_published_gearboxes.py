@@ -79,7 +79,7 @@ def test_the_model_of_5_mw_by_its_published_groups_of_which_carriers_are_a_third
 
 
 def test_the_fan_drive_is_more_than_three_times_a_journalist_s_round_pounds_where_its_films_last():
-    """A known miss: 229 % above "about 200 lb", 163 % above the 250 lb told elsewhere; 73 % wider than "about 18 in".
+    """A known miss: 229 % above "about 200 lb", 163 % above the 250 lb told elsewhere; 78 % wider than "about 18 in".
 
     No check of it fails: films of 12 µm at its power ask for planets that large.
     """
@@ -87,7 +87,7 @@ def test_the_fan_drive_is_more_than_three_times_a_journalist_s_round_pounds_wher
     assert found.mass.total / found.gearbox.mass == pytest.approx(3.29, rel=0.02)
     assert not [check for check in found.sizing.checks if check.fails]
     ring = next(gear for gear in found.sizing.gears if gear.rim)
-    assert 2.0 * ring.rim + ring.pitch_diameter == pytest.approx(1.73 * 18 * 0.0254, rel=0.02)
+    assert 2.0 * ring.rim + ring.pitch_diameter == pytest.approx(1.78 * 18 * 0.0254, rel=0.02)
 
 
 def test_the_teeth_of_the_propeller_gear_are_those_of_all_its_published_ratios():

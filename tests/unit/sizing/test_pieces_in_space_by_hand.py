@@ -81,12 +81,12 @@ def test_a_carrier_is_two_plates_with_hollow_pins_and_bridges_between_them():
     assert cage.span[1] - cage.span[0] == near(apart)
     reach = carrier.radius + carrier.pin_diameter / 2.0 + carrier.eye_wall
     tip = planet.pitch_diameter + 2.0 * planet.module
-    second = carrier.free_plate
+    second = carrier.free_plate or sizing.design.carriers.plate_ratio * planet.face_width
     plates = sizing.design.carriers.fill * math.pi * reach**2 * (carrier.plate_thickness + second)
     pins = 3 * math.pi / 4.0 * carrier.pin_diameter**2
     whole = apart + carrier.plate_thickness + second
     assert cage.whole[1] - cage.whole[0] == near(whole)
-    bores = 3 * math.pi / 4.0 * carrier.pin_bore**2 * whole
+    bores = 3 * math.pi / 4.0 * (carrier.pin_bore or 0.0) ** 2 * whole
     width = carrier.radius * math.sqrt(3.0) - tip - 2e-3
     sun, ring = (tooth_of(sizing, gear).tip_radius for gear in sizing.gears if gear.name in ("first.sun", "first.ring"))
     inner = max(carrier.radius / 2.0 - tip / 4.0, sun + 1e-3)

@@ -35,7 +35,7 @@ from gearwright.sizing.result import Arrangement, Body, GearSizing, Turn
 from gearwright.sizing.shaft_results import BearingSizing, BuiltShaft, CarrierSizing, JointSizing, ShaftSizing
 from gearwright.sizing.shafts import Built, refuse_bores, refuse_idle_shafts, size_carriers, size_shafts
 from gearwright.spec import GROUND, Design
-from gearwright.spec.design import SIDE_ANGLES, KeepOut
+from gearwright.spec.design import CONCEPT, SIDE_ANGLES, KeepOut
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Whether bodies have room beside each other, as checks: distance of middles over what both bodies need.
@@ -642,7 +642,7 @@ def _settled(context: Context, gears: tuple[GearSizing, ...], turns: tuple[Turn,
         settled = Settled(bare, shafts, tuple(built), carriers, rules)
         settled = replace(settled, arrangement=placed(_parts(context, gears, settled)))
         more = roomy(_Standing(context.design, gears, shafts, settled.arrangement, carriers))
-        if {*more} <= {*room}:
+        if context.design.level == CONCEPT or {*more} <= {*room}:
             return settled
         room = tuple(sorted({*room, *more}))
 

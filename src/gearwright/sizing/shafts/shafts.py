@@ -67,7 +67,7 @@ from gearwright.sizing.shaft_results import (
 from gearwright.sizing.shafts.building import Built, build_shaft
 from gearwright.sizing.shafts.stretches import BEARING_SLOPES, GEAR_SLOPE
 from gearwright.spec import Design
-from gearwright.spec.design import NOTHING_GIVEN
+from gearwright.spec.design import CONCEPT, NOTHING_GIVEN
 
 # ----------------------------------------------------------------------------------------------------------------------
 # Shafts that go through one another: the inner ones are sized first, the outer ones around them.
@@ -540,11 +540,12 @@ def size_carriers(
         gears: From `size_gears`.
         shafts: From `size_shafts`.
         two_sided: Sets with a plate on both sides.
-        roomy: Sets with room for a second plate beyond their planets; it shares the force where bridges tie it.
+        roomy: Sets with room for a second plate beyond their planets; it shares the force where bridges tie it, but
+            at level concept, where pins are cantilevers in one plate, as the thesis has them.
     """
     by_name = {gear.name: gear for gear in gears}
     diameters = {shaft.name: shaft.diameter for shaft in shafts}
-    beyond = {*two_sided, *roomy}
+    beyond = set[str]() if context.design.level == CONCEPT else {*two_sided, *roomy}
     simple = [_carrier(context, name, by_name, diameters, beyond=name in beyond) for name in context.design.planetaries]
     compound = [
         _compound(context, name, by_name, diameters, beyond=name in beyond) for name in context.design.epicyclics
