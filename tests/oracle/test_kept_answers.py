@@ -39,11 +39,15 @@ def test_no_choice_is_farther_from_the_lightest_than_it_was(kind, number):
 
 
 def test_two_sets_whose_films_are_too_thin_grow_together():
-    """Their faces are too narrow by half; one after the other the first that served weighed 424 kg."""
+    """Their faces are too narrow by half; one after the other the first that served weighed 424 kg, then 308 at best.
+
+    What is chosen for the harder of two requirements is lighter by 1.5 %, and passes here, too: a known gap.
+    """
     made = next(made for kind, number, _, made in pairs(1000) if (kind, number) == ("planetary + planetary", "1008"))
     found = exchanged(*made())
-    assert not found.own.failing and not found.violation
-    assert found.own.mass < 307.0
+    assert not found.own.failing and not found.harder.failing
+    assert found.own.mass < 240.0
+    assert found.own.mass <= 1.02 * found.other.mass
 
 
 def test_every_design_has_its_answer_once():

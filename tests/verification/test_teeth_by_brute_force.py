@@ -183,7 +183,7 @@ def test_a_ring_deviates_only_where_shifts_close_it():
     """Without shift z_r is z_s + 2 z_p, whatever is allowed; a rule of balance makes use of it, and saves."""
     plain, allowed = (shifted(rules=rules) for rules in ("", "ring_deviation = 2"))
     assert plain.teeth == allowed.teeth
-    rules = "sized = 50\nring_deviation = {}"
+    rules = "sized = 50\nsun_maximum = 44\nring_deviation = {}"
     none, two = (shifted(gears='balanced_shifts = "sliding"', rules=rules.format(most)) for most in (0, 2))
     assert complete_mass(two).total < complete_mass(none).total
     sun, planet, ring = two.teeth.values()
