@@ -31,7 +31,7 @@ def test_a_glb_file_is_written_beside_the_design(folder):
     answer = export("pair.toml", "--to", "glb")
     assert answer.exit_code == 0
     assert (folder / "pair-gearbox.glb").read_bytes()[:4] == b"glTF"
-    assert "wrote pair-gearbox.glb: 76 bodies" in answer.output
+    assert "wrote pair-gearbox.glb: 75 bodies" in answer.output
 
 
 def test_coarse_solids_make_a_smaller_file(folder):
