@@ -15,10 +15,8 @@ from shipped_work import sized
 OWN = [name for name in shipped_designs() if sized(name).design.housing.own]
 FEW = ["ec120b", "face-gear-split-torque", "in-line-h2", "off-set-h3", "twin-engine-helicopter"]
 RIBS, WALLS = "housing ribs", "housing inner walls"
-SHORT = {"off-set-h2": [RIBS]} | dict.fromkeys(
-    ("differential-hybrid", "in-line-h1-star", "twin-engine-helicopter", "twin-engine-sprag", "wind-turbine-5mw"),
-    [WALLS],
-)
+CRAMPED = ("differential-hybrid", "in-line-h1-star", "twin-engine-helicopter", "twin-engine-sprag", "wind-turbine-5mw")
+SHORT = {"off-set-h2": [RIBS]} | {name: [WALLS] for name in CRAMPED}
 """Whose walls leave too little room for ribs of five walls, or stages for walls between them, as their sheets say."""
 NONE = Rods(np.empty((0, 3)), np.empty((0, 3)), np.empty(0), np.empty(0))
 
