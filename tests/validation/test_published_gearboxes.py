@@ -61,11 +61,11 @@ def test_the_study_is_one_curve_and_no_four_gearboxes():
     assert len(ratios) == 4 and all(abs(ratio - 1.0) < 0.033 for ratio in ratios)
 
 
-def test_the_model_of_5_mw_by_its_published_groups_of_which_carriers_are_a_third():
+def test_the_model_of_5_mw_by_its_published_groups_of_which_carriers_are_half():
     """Bodies of the vendor's model: planets with bearings 9.1 t, housing with rings 25.8 t, of which nothing is fitted.
 
-    A known miss: carriers of 10.2 t, with low-speed flange, hubs and bearings, where strength alone asks for 3.0 t; how
-    far free plates lag, which tilts planets, decides there and is not computed. All else is within 15 %.
+    A known miss: carriers of 10.2 t, with low-speed flange, hubs and bearings, where strength alone asks for 5.2 t; how
+    far free plates lag, which tilts planets, decides there and is not computed. The sum and all else are within 15 %.
     """
     found = row("SIMPACK 5 MW")
     mass, carriers = found.mass, 10200.0
@@ -73,18 +73,19 @@ def test_the_model_of_5_mw_by_its_published_groups_of_which_carriers_are_a_third
     planets = sum(parts[f"{stage}.planet", group] for stage in ("first", "middle") for group in ("gears", "bearings"))
     rings = sum(parts[f"{stage}.ring", "gears"] for stage in ("first", "middle"))
     assert mass.total - mass.of("carriers") == pytest.approx(49800.8 - carriers, rel=0.15)
-    assert mass.of("carriers") == pytest.approx(0.30 * carriers, rel=0.05)
+    assert mass.total == pytest.approx(49800.8, rel=0.15)
+    assert mass.of("carriers") == pytest.approx(0.506 * carriers, rel=0.05)
     assert planets == pytest.approx(4 * 1780.2 + 3 * 658.455, rel=0.10)
     assert mass.of("housing") + mass.of("reaction") + rings == pytest.approx(25801.6, rel=0.15)
 
 
-def test_the_fan_drive_is_more_than_three_times_a_journalist_s_round_pounds_where_its_films_last():
-    """A known miss: 229 % above "about 200 lb", 163 % above the 250 lb told elsewhere; 78 % wider than "about 18 in".
+def test_the_fan_drive_is_nearly_four_times_a_journalist_s_round_pounds_where_its_films_last():
+    """A known miss: 271 % above "about 200 lb", 197 % above the 250 lb told elsewhere; 78 % wider than "about 18 in".
 
     No check of it fails: films of 12 µm at its power ask for planets that large.
     """
     found = row("Fan drive of 30 000 shp")
-    assert found.mass.total / found.gearbox.mass == pytest.approx(3.29, rel=0.02)
+    assert found.mass.total / found.gearbox.mass == pytest.approx(3.71, rel=0.02)
     assert not [check for check in found.sizing.checks if check.fails]
     ring = next(gear for gear in found.sizing.gears if gear.rim)
     assert 2.0 * ring.rim + ring.pitch_diameter == pytest.approx(1.78 * 18 * 0.0254, rel=0.02)
