@@ -1,5 +1,7 @@
 """Ranking of architectures: the numbers of each, what is kept, what is refused."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -8,6 +10,7 @@ from gearwright.enumeration import Architecture, Place, Seat, ranking as module,
 from gearwright.enumeration.ranking import _lightest, proportioned, rated, sketched
 from gearwright.enumeration.trains import built
 from gearwright.errors import DesignError
+from gearwright.render.words.study import ranking_sentences
 
 LIFE = 20000.0 * 3600.0
 
@@ -109,3 +112,14 @@ def test_candidates_with_all_their_bearings_weighed_come_first_and_weigh_more():
     whole = module.weighed(light)
     assert whole.bare == "" and whole.complete_mass > 1.05 * light.complete_mass
     assert sorted((light, whole), key=lambda row: row.order) == [whole, light]
+
+
+def test_what_is_lighter_than_all_that_pass_is_told_with_what_it_lacks():
+    found = gw.architectures(small(), life=LIFE, stages=(1,), closed=1)
+    row = replace(found.closed[0], fails="", verdict="passes as far as assessed")
+    light = replace(row, with_machines=row.with_machines - 5.0, fails="gearbox resonance of engine 1P 0.5900")
+    heavy = replace(light, with_machines=row.with_machines + 5.0)
+    said = " ".join(ranking_sentences(replace(found, closed=(row, light))))
+    assert "Lighter, but for what it lacks: " in said and "gearbox resonance of engine 1P 0.5900." in said
+    assert "but for what it lacks" not in " ".join(ranking_sentences(replace(found, closed=(row, heavy))))
+    assert "but for what it lacks" in " ".join(ranking_sentences(replace(found, closed=(light,))))

@@ -1,10 +1,11 @@
 """What a study, a search and an enumeration of architectures say in sentences."""
 
+import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
 
 import numpy as np
 
-from gearwright.base import SolveError, largest_first, smallest_first, text, written
+from gearwright.base import SolveError, largest_first, smallest, smallest_first, text, written
 from gearwright.enumeration import Ranking
 from gearwright.optimum import Optimum, hypervolume
 from gearwright.render.tables.study import chance, letter, likeliest_words, teeth_text
@@ -429,7 +430,9 @@ def ranking_sentences(ranking: Ranking) -> Iterator[str]:
     if not passing:
         looked = f"of {len(ranking.closed)} that were closed" if ranking.closed else "as none was closed"
         yield f"None is known to meet everything for {text(ranking.life, 'life', 3)}, {looked}."
+        yield from _lightest_that_fails(ranking)
         return
+    yield from _lightest_that_fails(ranking)
     best = passing[0]
     yield lightest_sentence(ranking)
     if len(passing) > 1:
@@ -437,6 +440,18 @@ def ranking_sentences(ranking: Ranking) -> Iterator[str]:
     others = [row for row in ranking.beside if row is not best and row is not passing[min(1, len(passing) - 1)]]
     if others:
         yield f"The lightest of those compared with it, {ranking.called(others[0])}, {behind(best, others[0])}"
+
+
+def _lightest_that_fails(ranking: Ranking) -> Iterator[str]:
+    """Yield which gearbox is lighter than all that pass, and what it lacks with its shafts in bearings."""
+    known = [row for row in ranking.closed if row.fails and not row.without_bearings and row.with_machines is not None]
+    if not known:
+        return
+    best, most = smallest(known, lambda row: row.with_machines or 0.0), math.inf
+    if ranking.passing:
+        most = ranking.passing[0].with_machines or 0.0
+    if (best.with_machines or 0.0) < most:
+        yield f"Lighter, but for what it lacks: {ranking.called(best)}, {_weighs(best)}; {best.fails}."
 
 
 def lightest_sentence(ranking: Ranking) -> str:
