@@ -200,6 +200,15 @@ def worst(checks: Iterable[Check]) -> Check | None:
     return min(assessed, key=_rank, default=None)
 
 
+def lacking_of(checks: Iterable[Check]) -> float:
+    """Return what failing checks lack of their limits together [-].
+
+    Args:
+        checks: That fail; one without a margin lacks all of it.
+    """
+    return sum(1.0 - (check.margin or 0.0) for check in checks)
+
+
 def accepted(checks: Iterable[Check], waivers: Mapping[str, str]) -> tuple[Check, ...]:
     """Return checks with the reasons for which a design accepts what fails, in the order of `worst_first`.
 

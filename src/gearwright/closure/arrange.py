@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
-from gearwright.base import Check, DesignError, Shown, verb
+from gearwright.base import Check, DesignError, Shown, lacking_of, verb
 from gearwright.closure.proportion import sized_as, teeth_of
 from gearwright.sizing import Sizing, size
 from gearwright.sizing.arrangement import shared_axes
@@ -107,7 +107,7 @@ class Arranged(Shown):
     @property
     def lacking(self) -> float:
         """What these checks lack of their limits together [-]."""
-        return sum(1.0 - min(check.margin or 0.0, 1.0) for check in self.worse)
+        return lacking_of(self.worse)
 
     @property
     def text(self) -> str:
@@ -203,10 +203,12 @@ def _more_room(arranged: Arranged, room: Room) -> Room:
         wider = bearing.bearing.width - planned.get(bearing.name, math.inf)
         if wider > _MM / 2.0:
             room = room.with_beside(bearing.name, whole_millimetres(wider / 2.0))
+    crowded = [check for check in arranged.worse if check.mode.startswith(CROWDED)]
+    bosses = boss_room(arranged.sizing) if crowded else None
     done, before = set[tuple[str, str]](), room.around
-    for check in arranged.worse:
-        if check.mode.startswith(CROWDED) and check.value is not None and check.limit is not None:
-            lacking, bosses = check.limit - check.value, boss_room(arranged.sizing)
+    for check in crowded:
+        if check.value is not None and check.limit is not None:
+            lacking = check.limit - check.value
             if bosses is not None and check.place == bosses[2]:
                 lacking = bosses[1] - bosses[0]
             room = _with_room(arranged, room, check, whole_millimetres(lacking) + _MM, done, before)

@@ -9,7 +9,7 @@ from functools import cached_property
 from hashlib import sha256
 from typing import NamedTuple
 
-from gearwright.base import GEARBOX, Check, GearwrightError, Status, worst
+from gearwright.base import GEARBOX, Check, GearwrightError, Status, lacking_of, worst
 from gearwright.closure.proportion import Proportioned, StageSize, proportioned, sizes_of, teeth_of
 from gearwright.closure.requirements import HOUR, Round, Seen, Step, Wishes, now, requirement_of, sized, wanted
 from gearwright.dynamics.sharing import load_factors
@@ -362,11 +362,7 @@ def _lacking(state: Settled, checks: Iterable[Check]) -> tuple[float, float]:
     counted = wanted(checks, state.task.wishes.left_out)
     lacking = [check for check in counted if check.status is Status.FAILS and not check.waiver]
     near = (check for check in lacking if requirement_of(check) in MOVED)
-    return _sum(lacking), _sum(near)
-
-
-def _sum(checks: Iterable[Check]) -> float:
-    return sum(1.0 - (check.margin or 0.0) for check in checks)
+    return lacking_of(lacking), lacking_of(near)
 
 
 class Option:

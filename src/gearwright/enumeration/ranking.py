@@ -230,7 +230,7 @@ def weighed(row: Candidate) -> Candidate:
     """
     if row.design is None:
         return row
-    _, sizing, bare = in_bearings(row.design)
+    _, sizing, bare = in_bearings(size(row.design))
     return replace(row, complete_mass=complete_mass(sizing).total, lacks=tuple(_lacks(sizing.checks)), bare=bare)
 
 
@@ -344,8 +344,7 @@ class Ranking(Shown):
     @property
     def passing(self) -> tuple[EqualLife, ...]:
         """Those that pass the review of their written design with all their bearings weighed, the lightest first."""
-        known = (row for row in self.closed if not row.fails and not row.without_bearings)
-        return tuple(row for row in known if row.with_machines is not None)
+        return tuple(row for row in self.closed if row.is_compared)
 
     @property
     def beside(self) -> tuple[EqualLife, ...]:
@@ -443,7 +442,7 @@ def architectures(
             book.lived(name[0], lives)
             say(f"{name[0]}: {_said(lives)}")
     ended = [row for name in wanted for row in book.closed[name]]
-    return Ranking(design.name, life, tuple(rows), tuple(sorted(ended, key=_weight)))
+    return Ranking(design.name, life, tuple(rows), tuple(sorted(ended, key=lambda row: row.order)))
 
 
 def _problems(life: float, stages: Sequence[int], closed: int, workers: int) -> Iterator[Problem]:
@@ -513,10 +512,6 @@ def _light(rows: Sequence[Candidate], count: int) -> list[Candidate]:
     lightest = smallest_first(by_name, lambda row: row.rated_mass or 0.0)[:count]
     most = _BEHIND * min((row.rated_promise or math.inf for row in known), default=0.0)
     return [row for row in lightest if (row.rated_promise or math.inf) <= most]
-
-
-def _weight(row: EqualLife) -> tuple[bool, float]:
-    return bool(row.fails), row.with_machines or math.inf
 
 
 def _closed(named: tuple[str, Design], *, life: float) -> tuple[EqualLife, ...]:

@@ -10,7 +10,19 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.base import SIDES, Check, DesignError, Kind, Problem, Role, carrier_part, largest, refuse, smallest
+from gearwright.base import (
+    SIDES,
+    Check,
+    DesignError,
+    Kind,
+    Problem,
+    Role,
+    carrier_part,
+    lacking_of,
+    largest,
+    refuse,
+    smallest,
+)
 from gearwright.parts.shafts import shaft_mass
 from gearwright.sizing.bearings import pressure_centre_checks
 from gearwright.sizing.loads import shaft_forces
@@ -397,7 +409,7 @@ class Stood(NamedTuple):
     @property
     def lacking(self) -> float:
         """What its checks lack of their limits together [-]; more than nothing where any fails."""
-        return sum(1.0 + ALIKE - min(check.margin or 0.0, 1.0) for check in self.failing)
+        return lacking_of(self.failing) + ALIKE * len(self.failing)
 
     @property
     def thin(self) -> dict[str, float]:

@@ -11,7 +11,7 @@ from gearwright.closure import Closed, Outcome, Wishes, arrange, close, nearest_
 from gearwright.closure.requirements import LONGEST
 from gearwright.machines.electric import PUBLIC_BAND
 from gearwright.particulars import Particulars, particulars
-from gearwright.reviews import Review, Verdict, review
+from gearwright.reviews import Review, review
 from gearwright.sizing import Sizing, size
 from gearwright.sizing.bearing_arrangement import bare_shafts
 from gearwright.sizing.mass import MassGroup, Statistics, complete_mass, statistics_beside
@@ -72,6 +72,16 @@ class EqualLife(Shown):
         name = Path(self.design).stem
         return f"{name}-variant" if self.variant else name
 
+    @property
+    def is_compared(self) -> bool:
+        """Whether it passes its review, and all its bearings are in its mass."""
+        return not self.fails and not self.without_bearings and self.with_machines is not None
+
+    @property
+    def order(self) -> tuple[bool, bool, float]:
+        """What passes comes first, then what is weighed with all its bearings, then what is lighter."""
+        return bool(self.fails), bool(self.without_bearings), self.with_machines or math.inf
+
 
 @verb
 def equal_life(
@@ -99,7 +109,7 @@ def equal_life(
                 rows += _rows(name, with_public_motors(design), asked, say)
         except DesignError as error:
             rows.append(_refused(name, error.problems))
-    return tuple(sorted(rows, key=_order))
+    return tuple(sorted(rows, key=lambda row: row.order))
 
 
 def with_public_motors(design: Design) -> Design:
@@ -138,15 +148,9 @@ def _named(tell: Callable[[str], None], name: str) -> Callable[[str], None]:
     return lambda words: tell(f"{name}: {words}")
 
 
-def _order(row: EqualLife) -> tuple[bool, bool, float]:
-    """What passes comes first, then what is weighed with all its bearings, then what is lighter."""
-    passes = row.verdict in (str(Verdict.PASSES), str(Verdict.PASSES_SO_FAR))
-    return not passes, bool(row.without_bearings), row.with_machines or math.inf
-
-
 def _row(name: str, closed: Closed) -> EqualLife:
     """Return the row of a closed design with its shafts in bearings, judged by a review of its text alone."""
-    file, sizing, bare = in_bearings(closed.design)
+    file, sizing, bare = in_bearings(closed.sizing)
     judged, whole = review(parse(file)), complete_mass(sizing)
     (life, limits), (low, high) = _shortest(closed, judged), whole.band
     return EqualLife(
@@ -171,13 +175,13 @@ def _row(name: str, closed: Closed) -> EqualLife:
     )
 
 
-def in_bearings(design: Design) -> tuple[str, Sizing, str]:
+def in_bearings(sizing: Sizing) -> tuple[str, Sizing, str]:
     """Return a design with bearings on all shafts that need them as a file, its sizing, and what is without and why.
 
     Args:
-        design: That can be sized.
+        sizing: Of the design as it is.
     """
-    sizing = size(design)
+    design = sizing.design
     if not (bare := bare_shafts(sizing)):
         return design_text(design), sizing, ""
     try:

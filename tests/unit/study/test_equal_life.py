@@ -111,7 +111,7 @@ def test_every_shaft_of_a_row_stands_in_bearings_which_are_in_its_mass():
 
 def test_what_finds_no_bearings_is_said_and_is_not_compared():
     """The pinion of the split's branches has a root of 61 mm, and nothing of that bore lives as long."""
-    _, _, why = in_bearings(gw.at_level(gw.read("face-gear-split-torque"), "preliminary"))
+    _, _, why = in_bearings(gw.size(gw.at_level(gw.read("face-gear-split-torque"), "preliminary")))
     assert why.startswith("left, right, output (bearings.")
     good = rows()[0]
     bare = replace(good, design="bare", without_bearings=why, with_machines=1.0)

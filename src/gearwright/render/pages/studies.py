@@ -513,8 +513,8 @@ def _verdict_at_equal_life(rows: Sequence[EqualLife]) -> Verdict:
 
 
 def _numbers_at_equal_life(rows: Sequence[EqualLife]) -> Iterator[Number]:
-    """Yield the lightest that pass."""
-    for row in [row for row in rows if not row.fails and row.with_machines is not None][:_SHOWN_AT_EQUAL_LIFE]:
+    """Yield the lightest that pass with all their bearings weighed."""
+    for row in [row for row in rows if row.is_compared][:_SHOWN_AT_EQUAL_LIFE]:
         yield quantity(f"{row.title}, with machines", row.with_machines or 0.0, "mass", digits=3)
 
 

@@ -749,7 +749,7 @@ def motor_rows(sizing: Sizing) -> tuple[tuple[str, float], ...]:
 
 
 def _machine_columns(sizing: Sizing) -> tuple[str, ...]:
-    """Return what is told of machines; inverters and cooling where they are counted."""
+    """Return the columns of machines; inverters and cooling where they are counted."""
     beside = ("inverter", "cooling") if sizing.machines_mass > sizing.motor_mass else ()
     return "name", "kind", "shaft", "torque", "mass", *beside, "inertia"
 

@@ -359,8 +359,7 @@ def equal_life_sentences(rows: Sequence[EqualLife]) -> Iterator[str]:
     Args:
         rows: In their order.
     """
-    known = (row for row in rows if not row.fails and not row.without_bearings)
-    passing = [row for row in known if row.with_machines is not None]
+    passing = [row for row in rows if row.is_compared]
     if passing:
         yield _lightest(passing[0])
     if len(passing) > 1:

@@ -641,8 +641,10 @@ def _settled(context: Context, gears: tuple[GearSizing, ...], turns: tuple[Turn,
         carriers = size_carriers(context, gears, shafts, bare.two_sided, room)
         settled = Settled(bare, shafts, tuple(built), carriers, rules)
         settled = replace(settled, arrangement=placed(_parts(context, gears, settled)))
+        if context.design.level == CONCEPT:
+            return settled
         more = roomy(_Standing(context.design, gears, shafts, settled.arrangement, carriers))
-        if context.design.level == CONCEPT or {*more} <= {*room}:
+        if {*more} <= {*room}:
             return settled
         room = tuple(sorted({*room, *more}))
 
