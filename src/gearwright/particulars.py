@@ -116,7 +116,7 @@ def particulars(sizing: Sizing) -> Particulars:
 
     >>> import gearwright as gw
     >>> round(particulars(gw.size(gw.read("star"))).complete.total, 1)
-    125.9
+    112.7
     """
     design, flows, complete = sizing.design, sizing.flows, complete_mass(sizing)
     return Particulars(

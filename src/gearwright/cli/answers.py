@@ -144,7 +144,7 @@ def schema_id(command: str) -> str:
     """Return the name of the schema of a command's answer.
 
     >>> schema_id("replay colibri")
-    'urn:gearwright:answer:replay-colibri:1'
+    'urn:gearwright:answer:replay-colibri:2'
     """
     return f"urn:gearwright:answer:{command.replace(' ', '-')}:{REVISIONS.get(command, 1)}"
 

@@ -54,13 +54,20 @@ def test_a_gear_that_a_fit_holds_stands_on_its_shaft(tmp_path):
     assert (after.pairs, after.motors, after.cases) == (before.pairs, before.motors, before.cases)
 
 
+def test_what_turns_faster_than_an_electric_rotor_bears_is_a_turbine(tmp_path):
+    """2051 kW at 20000 rpm are 9.1e5 rpm √kW, of 8.6e5; REXS does not say what drives."""
+    found = read(bare("star"), tmp_path)
+    assert (list(found.design.turbines), list(found.design.motors)) == (["gas-turbine"], [])
+    assert any("turbine where no electric rotor" in note for note in found.assumed)
+
+
 def test_a_power_at_the_speed_of_its_shaft_is_a_torque(tmp_path):
     model = bare("star")
-    before = read(model, tmp_path).design.motors
+    before = read(model, tmp_path).design.turbines
     without(
         [part for case in model["load_spectrum"]["load_cases"] for part in case["components"]], "torque_around_u_axis"
     )
-    after = read(model, tmp_path).design.motors
+    after = read(model, tmp_path).design.turbines
     assert after.keys() == before.keys()
     for name, motor in after.items():
         assert (motor.power, motor.speed) == pytest.approx((before[name].power, before[name].speed), rel=1e-12)

@@ -20,7 +20,7 @@ from gearwright.sizing.mass.bodies import (
 )
 from gearwright.sizing.places import solid_of
 from gearwright.sizing.places.frames import _inside, coaxial_checks, owner
-from gearwright.sizing.places.positioning import _sphere
+from gearwright.sizing.places.positioning import sphere_around
 from gearwright.sizing.teeth.candidates import Front, _stands_alone, ring_variants
 from gearwright.sizing.teeth.criteria import _is_clear, aligned
 from gearwright.spec import GROUND, edited, parse, read
@@ -203,7 +203,7 @@ def test_bodies_on_one_axis_that_meet_are_told_unless_both_shafts_are_worked_out
 @pytest.mark.parametrize("direction", [(1.0, 0.0, 0.0), (0.6, 0.0, -0.8)])
 def test_the_sphere_about_a_body_goes_through_the_edges_of_a_cylinder(direction):
     """Middle half-way along the axis; radius √((l/2)² + r²): no less holds it, and no more is asked."""
-    middle, radius = _sphere(rod(gear("x"), "a", (1.0, 2.0, 3.0), radius=0.3, length=0.8, direction=direction))
+    middle, radius = sphere_around(rod(gear("x"), "a", (1.0, 2.0, 3.0), radius=0.3, length=0.8, direction=direction))
     assert radius == near(0.5, rel=1e-12)
     assert middle == near([at + 0.4 * way for at, way in zip((1.0, 2.0, 3.0), direction, strict=True)])
 

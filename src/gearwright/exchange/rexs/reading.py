@@ -29,6 +29,7 @@ from gearwright.exchange.rexs.arrangement import (
 )
 from gearwright.exchange.rexs.files import DESIGN, GEAR, MESH, Asking, Component, Document, opened, unsound
 from gearwright.exchange.rexs.stages import read_stages, refuse_nothing
+from gearwright.machines import largest_power
 from gearwright.sizing import GearSizing, MeshSizing, Sizing, size
 from gearwright.sizing.rating.iso6336 import Iso6336Rating
 from gearwright.sizing.rating.iso10300 import Iso10300Rating
@@ -200,8 +201,10 @@ def read_loads(asking: Asking, bodies: Bodies, gearing: Gearing) -> Table:
     if not _is_enough(asking, loads, known, others, cases, shares=shares):
         return {}
     tables: Table = {"motors": {}, "loads": {}}
-    said_once = "what drives is read as a motor, what is driven as a load: REXS does not say which machines they are"
-    asking.notes.append(said_once)
+    asking.notes.append(
+        "what drives is read as a motor, or as a turbine where no electric rotor bears its speed, what is driven as a"
+        " load: REXS does not say which machines they are"
+    )
     for load in known:
         _machine(tables, names[load], loads[load], [said.power(load, loads[load]) for said in cases],
                  [said.speeds[loads[load]] for said in cases])  # fmt: skip
@@ -215,7 +218,9 @@ def read_loads(asking: Asking, bodies: Bodies, gearing: Gearing) -> Table:
             tables["loads"][names[load]] = {"shaft": loads[load]}
     tables.pop("sense", None)
     _free_speeds(tables, gearing, cases[0])
-    return tables | _cases(asking, gearing, cases, {names[load]: load for load in known}, loads, tables["motors"])
+    cased = _cases(asking, gearing, cases, {names[load]: load for load in known}, loads, tables["motors"])
+    turbines = _turbines(tables["motors"], cased.get("cases", {}).values())
+    return tables | turbines | cased
 
 
 def _hold_still(asking: Asking, gearing: Gearing, loads: dict[int, str], cases: list[Said]) -> None:
@@ -322,6 +327,19 @@ def _machine(tables: Table, name: str, shaft: str, powers: list[float], speeds: 
         tables["motors"][name] = machine
     else:
         tables["loads"][name] = {"shaft": shaft, "power_w": -powers[most]}
+
+
+def _turbines(motors: Table, cases: Iterable[Table]) -> Table:
+    """Return the table of turbines, with what drives faster than electric rotors bear; that leaves the motors."""
+    named = [
+        name
+        for name, machine in motors.items()
+        if machine.keys() <= {"shaft", "power_w", "speed_rad_s"}
+        and machine["speed_rad_s"] > 0.0
+        and machine["power_w"] > largest_power(machine["speed_rad_s"])
+        and all(case.get(name, {}).get("power_w", 0.0) >= 0.0 for case in cases)
+    ]
+    return {"turbines": {name: motors.pop(name) for name in named}} if named else {}
 
 
 def _free_speeds(tables: Table, gearing: Gearing, said: Said) -> None:
