@@ -39,7 +39,7 @@ if TYPE_CHECKING:
     from gearwright.dynamics.assembly import assemble
     from gearwright.dynamics.sharing import sharing
     from gearwright.dynamics.vibration import answer as response, critical_speeds, run_up as runup
-    from gearwright.enumeration import architectures
+    from gearwright.enumeration import Effort, architectures
     from gearwright.errors import DesignError, Problem, SolveError
     from gearwright.exchange import from_rexs, to_fmu, to_rexs
     from gearwright.mission import (
@@ -92,6 +92,7 @@ if TYPE_CHECKING:
 
 _VERBS = {
     "DesignError": "errors",
+    "Effort": "enumeration",
     "Model": "dynamics",
     "Outputs": "dynamics",
     "Problem": "errors",
@@ -196,6 +197,7 @@ _CALLED = {
 
 __all__ = [
     "DesignError",
+    "Effort",
     "Model",
     "Outputs",
     "Problem",

@@ -3,7 +3,7 @@
 How one given design is sized, closed or judged is for the layers below; pages and commands are above.
 """
 
-from gearwright.enumeration.ranking import CLOSED, STAGES, Candidate, Ranking, architectures
+from gearwright.enumeration.ranking import CLOSED, STAGES, Candidate, Effort, Ranking, architectures
 from gearwright.enumeration.trains import KINDS, Architecture, Kind, Place, Requirement, Seat, requirement_of, trains
 
 __all__ = [
@@ -12,6 +12,7 @@ __all__ = [
     "STAGES",
     "Architecture",
     "Candidate",
+    "Effort",
     "Kind",
     "Place",
     "Ranking",

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from functools import partial
 from hashlib import sha256
 from pathlib import Path
 from typing import TypeVar
+
+import numpy as np
 
 from gearwright.base import (
     Check,
@@ -311,6 +313,23 @@ STAGES = (2, 3)
 """How many stages a train may have, where nothing else is asked."""
 CLOSED = 12
 """Architectures that are closed, where nothing else is asked [-]."""
+
+
+@dataclass(frozen=True)
+class Effort:
+    """How much is looked at."""
+
+    closed: int = CLOSED
+    """Architectures that are closed, the most promising first [-]."""
+    restarts: int = 4
+    """How many times at most those that could be the lightest are closed from other numbers, so that what the search
+    left is known: one for each of them, until the lead is four times that [-]."""
+
+
+_SURE = 4.0
+"""Lead over the error of the search from which no further start is made [-]."""
+_DRAWS = 8
+"""Places that are drawn for a start until one can be sized [-]."""
 _KEEP = 25
 """Finished architectures after which what is known is written."""
 _FAR = 1.75
@@ -335,6 +354,10 @@ class Ranking(Shown):
     """Every architecture with its best numbers, the most promising first; those that are refused come last."""
     closed: tuple[EqualLife, ...]
     """The most promising and what they are compared with, closed: those that pass first, the lightest of them first."""
+    restarts: int = 0
+    """Closings from other numbers of those that could be the lightest [-]."""
+    stopped: str = ""
+    """Why no more were made; empty where none was asked for."""
 
     @property
     def refused(self) -> int:
@@ -389,7 +412,7 @@ def architectures(
     *,
     life: float,
     stages: Sequence[int] = STAGES,
-    closed: int = CLOSED,
+    effort: Effort | None = None,
     beside: Mapping[str, Design] | None = None,
     fastest: float | None = None,
     workers: int = 0,
@@ -408,7 +431,7 @@ def architectures(
         design: Whose turbine, motor, propeller, cases and rules count; its stages do not.
         life: Of gears and bearings alike [s].
         stages: How many stages a train may have.
-        closed: How many architectures are closed [-].
+        effort: How many architectures are closed, and how often anew; left out: `Effort()`.
         beside: Name -> design, closed for the same life to compare with.
         fastest: Speed that the motor may have [rad/s]; left out: that of the faster of motor and turbine.
         workers: Processes that compute; 0: this one.
@@ -418,7 +441,8 @@ def architectures(
     Raises:
         DesignError: If the design asks for other machines, or a number cannot be; if the journal is of something else.
     """
-    refuse(_problems(life, stages, closed, workers))
+    much = effort or Effort()
+    refuse(_problems(life, stages, much, workers))
     asked = requirement_of(with_public_motors(design), fastest=fastest)
     rivals = {name: with_public_motors(one) for name, one in (beside or {}).items()}
     counts, motor = tuple(sorted(set(stages))), asked.motor is not None
@@ -432,27 +456,30 @@ def architectures(
     say = tell or _quiet
     with _keeping(journal, kept) as book:
         say(f"{len(every)} architectures for a ratio of {asked.ratio:.4g}")
-        anew = max(closed, CLOSED) * _ANEW if closed else 0  # the same order, however few of them are closed
-        rows = _ranked(_Task(asked, life, workers, say, book), every, anew)
-        best = [row for row in rows if row.design is not None][:closed]
+        anew = max(much.closed, CLOSED) * _ANEW if much.closed else 0  # the same order, however few are closed
+        task = _Task(asked, life, workers, say, book)
+        rows = _ranked(task, every, anew)
+        best = [row for row in rows if row.design is not None][: much.closed]
         wanted = {row.architecture.slug: row.design for row in best if row.design is not None} | rivals
         open_ones = [named for named in wanted.items() if named[0] not in book.closed]
         open_ones.sort(key=lambda named: -len(named[1].stages))  # the longest first: no process waits
         for name, lives in computed(partial(_closed, life=life), open_ones, workers):
-            book.lived(name[0], lives)
+            book.lived(name[0], 0, lives)
             say(f"{name[0]}: {_said(lives)}")
-    ended = [row for name in wanted for row in book.closed[name]]
-    return Ranking(design.name, life, tuple(rows), tuple(sorted(ended, key=lambda row: row.order)))
+        starts, stopped = _restarted(task, best, wanted, much.restarts)
+    return Ranking(design.name, life, tuple(rows), tuple(_ended(book, starts)), sum(starts.values()), stopped)
 
 
-def _problems(life: float, stages: Sequence[int], closed: int, workers: int) -> Iterator[Problem]:
+def _problems(life: float, stages: Sequence[int], effort: Effort, workers: int) -> Iterator[Problem]:
     """Yield what cannot be asked for."""
     if not 0.0 < life < math.inf:
         yield Problem("life", f"{life / 3600.0:g} h is asked; it must be above 0 and finite")
     if not stages or any(count not in range(1, 5) for count in stages):
         yield Problem("stages", f"{list(stages)} are asked; 1 to 4 are enumerated, such as 2 and 3")
-    if closed < 0:
-        yield Problem("closed", f"{closed} are asked; give 0 or more")
+    if effort.closed < 0:
+        yield Problem("closed", f"{effort.closed} are asked; give 0 or more")
+    if effort.restarts < 0:
+        yield Problem("restarts", f"{effort.restarts} are asked; give 0 or more")
     if workers < 0:
         yield Problem("workers", f"{workers} are asked; 0 computes in this process")
 
@@ -519,6 +546,84 @@ def _closed(named: tuple[str, Design], *, life: float) -> tuple[EqualLife, ...]:
     return equal_life(dict([named]), wishes=Wishes(life))
 
 
+def _start(name: str, number: int) -> str:
+    """Return under which name a journal keeps a start of a design: its own alone for the first."""
+    return f"{name} from start {number}" if number else name
+
+
+def _ended(book: _Book, starts: Mapping[str, int]) -> list[EqualLife]:
+    """Return closed designs in their order, of those with several starts the best with what all of them came to."""
+    return sorted((row for name in starts for row in _of_starts(book, name, starts[name])), key=lambda row: row.order)
+
+
+def _of_starts(book: _Book, name: str, count: int) -> tuple[EqualLife, ...]:
+    """Return the rows of a design: of all starts the best itself, and the variant of the first."""
+    (own, *variants), found = book.closed[name], list[EqualLife]()
+    for number in range(1, count + 1):
+        found += [row for row in book.closed[_start(name, number)] if not row.variant]
+    if not found:
+        return own, *variants
+    masses = tuple(row.with_machines for row in (own, *found) if row.is_compared and row.with_machines is not None)
+    return replace(min(own, *found, key=lambda row: row.order), starts=masses), *variants
+
+
+def _restarted(task: _Task, rows: Sequence[Candidate], names: Iterable[str], most: int) -> tuple[dict[str, int], str]:
+    """Close those that could be the lightest from other numbers, a round at a time.
+
+    Rounds are the same with any number of workers, and with what a journal holds already.
+
+    Returns:
+        How many further starts each has, and why there are no more.
+    """
+    free = {row.architecture.slug: row for row in rows if freedoms(row.architecture)}
+    starts, left = dict.fromkeys(names, 0), most
+    again = partial(_closed_anew, requirement=task.asked, life=task.life)
+    while most:
+        passing = [row for row in _ended(task.book, starts) if row.is_compared]
+        rivals = _rivals(passing, free)
+        if not rivals:
+            return starts, "none that passes has other numbers to start from"
+        lead = difference(*passing[:2]) if len(passing) > 1 else None
+        if lead is not None and lead.search is not None and lead.mass >= _SURE * lead.search:
+            return starts, f"the lead is {_SURE:.0f} times what the search may have left"
+        if not left:
+            return starts, "no more were asked for"
+        fewest = min(starts[name] for name in rivals)
+        chosen = [name for name in rivals if starts[name] == fewest][:left]
+        open_ones = [(free[name], fewest + 1) for name in chosen if _start(name, fewest + 1) not in task.book.closed]
+        for (row, number), lives in computed(again, open_ones, task.workers):
+            task.book.lived(row.architecture.slug, number, lives)
+            task.say(f"{row.architecture.slug}, from other numbers: {_said(lives) if lives else 'not sized'}")
+        starts, left = starts | dict.fromkeys(chosen, fewest + 1), left - len(chosen)
+    return starts, ""
+
+
+def _rivals(passing: Sequence[EqualLife], free: Mapping[str, Candidate]) -> list[str]:
+    """Return which architectures could be the lightest: the lead, the next, and all that are not separable from it."""
+    found = []
+    for place, row in enumerate(passing):
+        apart = difference(passing[0], row)
+        if row.design in free and not row.variant and (place < 2 or (apart is not None and not apart.separable)):
+            found.append(row.design)
+    return found
+
+
+@MESHES.sharing()
+def _closed_anew(start: tuple[Candidate, int], *, requirement: Requirement, life: float) -> tuple[EqualLife, ...]:
+    """Return an architecture closed from other numbers, drawn over their ranges; none where none can be sized."""
+    row, number = start
+    seed = int(sha256(f"{row.architecture.slug} {number}".encode()).hexdigest()[:16], 16)
+    for places in np.random.default_rng(seed).random((_DRAWS, freedoms(row.architecture))).tolist():
+        try:
+            found = _rated(requirement, row, places, life)
+        except GearwrightError:
+            continue
+        best = proportioned(requirement, found, life=life)
+        assert best.design is not None
+        return _closed((row.architecture.slug, best.design), life=life)
+    return ()
+
+
 def _said(rows: Sequence[EqualLife]) -> str:
     best = rows[0]
     mass = "no gearbox" if best.with_machines is None else f"{best.with_machines:.0f} kg with machines"
@@ -558,9 +663,9 @@ class _Book:
         if self.unwritten >= _KEEP:
             self.write()
 
-    def lived(self, name: str, rows: tuple[EqualLife, ...]) -> None:
-        """Take in a closed design."""
-        self.closed[name] = tuple(replace(row, design=name) for row in rows)
+    def lived(self, name: str, start: int, rows: tuple[EqualLife, ...]) -> None:
+        """Take in a closed design, from its own numbers (0) or from others."""
+        self.closed[_start(name, start)] = tuple(replace(row, design=name) for row in rows)
         self.unwritten += 1
         self.write()
 

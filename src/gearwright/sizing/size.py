@@ -44,6 +44,7 @@ from gearwright.machines import (
 from gearwright.sizing.answers import locking_checks
 from gearwright.sizing.bearing_seats import named_room
 from gearwright.sizing.bearings import planet_lives
+from gearwright.sizing.installation import installation_checks
 from gearwright.sizing.losses import dipping
 from gearwright.sizing.mass import as_made, complete_mass, refuse_dishes
 from gearwright.sizing.places import (
@@ -791,6 +792,6 @@ def completed(fitted: Fitted, given: Mapping[str, Given], *, still: bool = False
     )
     dipping(sizing, design.losses.dip, "losses.dip")
     refuse_dishes(sizing)
-    checks += web_checks(sizing)
+    checks += [*web_checks(sizing), *installation_checks(sizing)]
     refuse(unknown_waivers(checks, design.waivers, left=BEYOND_SIZING))
     return refuse_no_numbers(as_made(replace(sizing, checks=accepted(checks, design.waivers))))

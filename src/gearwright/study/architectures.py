@@ -2,7 +2,7 @@
 design that was written; and by how much one is lighter than another."""
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -17,6 +17,7 @@ from gearwright.sizing.bearing_arrangement import bare_shafts
 from gearwright.sizing.mass import MassGroup, Statistics, complete_mass, statistics_beside
 from gearwright.sizing.rating import MESHES
 from gearwright.spec import Design, design_text, edited, parse, read
+from gearwright.study.measures import FRONTAL, Measures, dominated, measures_of
 from gearwright.study.running import comparison_of
 
 PUBLIC = "public"
@@ -65,6 +66,19 @@ class EqualLife(Shown):
     """Of the machines their inverters [kg]."""
     cooling: Mass | None = None
     """Of the machines what cools them [kg]."""
+    measures: Measures | None = None
+    """What else tells it apart; None where it is refused."""
+    starts: tuple[Mass, ...] = ()
+    """With machines, of each start of the search that passes, itself among them; empty where there was one [kg]."""
+
+    @property
+    def search_error(self) -> Mass | None:
+        """What independent starts let one expect of a search without end [kg]; None where fewer than two pass.
+
+        Source: results above the optimum as exponential: θ/r with θ = (x̄ − x_1) r/(r − 1) of r starts.
+        """
+        count = len(self.starts)
+        return (math.fsum(self.starts) / count - min(self.starts)) / (count - 1) if count > 1 else None
 
     @property
     def title(self) -> str:
@@ -172,6 +186,7 @@ def _row(name: str, closed: Closed) -> EqualLife:
         file=file,
         without_bearings=bare,
         groups=whole.groups,
+        measures=measures_of(sizing),
     )
 
 
@@ -210,6 +225,35 @@ def _refused(name: str, problems: tuple[Problem, ...]) -> EqualLife:
     return replace(nothing, fails="; ".join(f"{problem.path}: {problem.message}" for problem in problems))
 
 
+def outdone(rows: Sequence[EqualLife]) -> list[bool]:
+    """Return which of some designs another outdoes: no heavier, wider, longer or hotter, and less of one of these.
+
+    Args:
+        rows: That are compared with each other; those without a mass are outdone by none.
+    """
+    known = [row for row in rows if row.is_compared and row.measures is not None]
+    found = dict(zip(map(id, known), dominated(map(_costs, known)), strict=True))
+    return [found.get(id(row), False) for row in rows]
+
+
+def _costs(row: EqualLife) -> tuple[float, ...]:
+    assert row.measures is not None
+    return row.with_machines or math.inf, row.measures.diameter, row.measures.length, row.measures.heat
+
+
+def wider(first: EqualLife, second: EqualLife) -> float | None:
+    """Return the frontal diameter of one gearbox over that of another where they differ so that it may decide [-].
+
+    Args:
+        first: Of two closed designs.
+        second: The other.
+    """
+    if first.measures is None or second.measures is None:
+        return None
+    ratio = first.measures.diameter / second.measures.diameter
+    return ratio if max(ratio, 1.0 / ratio) > FRONTAL else None
+
+
 # ----------------------------------------------------------------------------------------------------------------------
 # By how much one is lighter than another, and how well that is known.
 # ----------------------------------------------------------------------------------------------------------------------
@@ -233,15 +277,17 @@ class Difference:
     second: str
     """Of the other."""
     mass: Mass
-    """By which the first is lighter; negative where it is heavier [kg]."""
+    """By which the first is lighter, as found; negative where it is heavier [kg]."""
     deviation: Mass
-    """One standard deviation; what the search left is not in it [kg]."""
+    """One standard deviation [kg]."""
     rules: Mass
     """Of it what rules for groups of parts leave, which err of both alike [kg]."""
     own: Mass
     """Of it what each gearbox has for itself [kg]."""
+    search: Mass | None
+    """Of it what the search left [kg]; None where one of both was closed once: it is not known, and not in it."""
     probability: Ratio
-    """That the first is the lighter, by these errors alone [-]."""
+    """That the first is the lighter of those that fit their installation envelope, by these errors alone [-]."""
     separable: bool
     """Whether that, or the opposite, is at least `SEPARABLE`."""
 
@@ -250,7 +296,8 @@ def difference(first: EqualLife, second: EqualLife) -> Difference | None:
     """Return by how much one gearbox is lighter than another; None where their masses are not sums of the same.
 
     A rule errs by one factor for a group of parts in both, groups apart: √Σ (s_g m_g1 − s_g m_g2)². Each has an error
-    of its own besides. Inverters and cooling go by power, and are alike.
+    of its own besides. Inverters and cooling go by power, and are alike. What the search left of each is exponential
+    with mean and deviation `search_error`.
 
     Args:
         first: Closed, of one requirement with the other.
@@ -262,8 +309,14 @@ def difference(first: EqualLife, second: EqualLife) -> Difference | None:
     shared = [errors[0].get(name, 0.0) - errors[1].get(name, 0.0) for name in {**errors[0], **errors[1]}]
     rules = math.hypot(*shared, MOTORS * ((first.motors or 0.0) - (second.motors or 0.0)))
     own = OWN * math.hypot(first.complete_mass, second.complete_mass)
-    mass, deviation = (second.with_machines or 0.0) - (first.with_machines or 0.0), math.hypot(rules, own)
-    ahead = 0.5 * (1.0 + math.erf(mass / math.sqrt(2.0) / deviation))
-    return Difference(
-        first.title, second.title, mass, deviation, rules, own, ahead, max(ahead, 1.0 - ahead) >= SEPARABLE
+    left = first.search_error, second.search_error
+    search = None if None in left else math.hypot(*(each or 0.0 for each in left))
+    mass, deviation = (
+        (second.with_machines or 0.0) - (first.with_machines or 0.0),
+        math.hypot(rules, own, search or 0.0),
     )
+    expected = mass if search is None else mass + (left[0] or 0.0) - (left[1] or 0.0)
+    ahead = 0.5 * (1.0 + math.erf(expected / math.sqrt(2.0) / deviation))
+    fits = [1.0 if row.measures is None else row.measures.fits for row in (first, second)]
+    wins = fits[0] * (ahead + (1.0 - ahead) * (1.0 - fits[1])), fits[1] * (1.0 - ahead + ahead * (1.0 - fits[0]))
+    return Difference(first.title, second.title, mass, deviation, rules, own, search, wins[0], max(wins) >= SEPARABLE)

@@ -13,8 +13,8 @@ from gearwright.checks import Check
 from gearwright.closure import Wishes
 from gearwright.identity import Kind, PartId, Role
 from gearwright.render.pages.studies import equal_life_page
-from gearwright.render.tables.study import equal_life_csv, equal_life_table
-from gearwright.render.words.study import equal_life_sentences
+from gearwright.render.tables.study import equal_life_csv, equal_life_table, measures_table
+from gearwright.render.words.study import behind, equal_life_sentences
 from gearwright.reviews import Verdict, review
 from gearwright.spec import edited, parse
 from gearwright.study import equal_life
@@ -26,8 +26,10 @@ from gearwright.study.architectures import (
     closed_designs,
     difference,
     in_bearings,
+    outdone,
     with_public_motors,
 )
+from gearwright.study.measures import measures_of
 
 HOUR = 3600.0
 GOOD = edited(parse(PAIR), {"gears.rating": "iso6336"})
@@ -157,3 +159,52 @@ def test_rivals_weigh_by_one_law_of_electric_machines_and_a_mass_that_is_given_s
     assert with_public_motors(given) == given
     conventional = gw.read("in-line")
     assert with_public_motors(conventional) is conventional
+
+
+def test_what_further_starts_found_widens_the_difference_by_what_a_search_without_end_might_find():
+    """θ/r = (x̄ − x₁)/(r − 1): of 100, 104 and 108 kg 2; of 120 and 126 kg 3."""
+    good = rows()[0]
+    one = replace(good, with_machines=100.0, complete_mass=100.0, starts=(104.0, 100.0, 108.0))
+    other = replace(good, with_machines=120.0, complete_mass=120.0, starts=(120.0, 126.0))
+    assert (one.search_error, other.search_error, good.search_error) == (2.0, 3.0, None)
+    found, unknown = difference(one, other), difference(one, replace(other, starts=()))
+    assert (found.mass, found.search) == (20.0, pytest.approx(13.0**0.5))
+    assert found.deviation == pytest.approx(math.hypot(unknown.deviation, found.search))
+    sure = 0.5 * (1.0 + math.erf((20.0 + 2.0 - 3.0) / found.deviation / math.sqrt(2.0)))
+    assert found.probability == pytest.approx(sure)
+    assert "of the ±: search 4, rules of mass" in behind(one, other)
+    assert "what the search left is not in it" in behind(one, replace(other, starts=()))
+
+
+def test_what_may_not_fit_is_not_surely_the_lightest():
+    """With p of the first fitting, it is first where it is lighter and fits: 0.3 of nearly one."""
+    good = rows()[0]
+    lighter = replace(good, measures=replace(good.measures, fits=0.3))
+    heavier = replace(good, with_machines=good.with_machines + 100.0)
+    assert difference(good, heavier).separable
+    found = difference(lighter, heavier)
+    assert found.probability == pytest.approx(0.3, abs=1e-6) and not found.separable
+
+
+def test_what_is_no_lighter_wider_longer_or_hotter_than_another_that_passes_is_not_outdone():
+    good, narrow, _ = rows()
+    wide = replace(good, measures=replace(good.measures, diameter=1.2 * good.measures.diameter))
+    light = replace(wide, with_machines=good.with_machines - 1.0)
+    assert outdone([good, wide, light, narrow]) == [False, True, False, False]
+    assert f"frontal diameter is {1.2:.2f} times as large: mass alone does not decide" in behind(good, wide)
+    assert "frontal diameter" not in behind(good, replace(good, with_machines=good.with_machines + 1.0))
+    shown = measures_table(
+        [good, wide, narrow],
+    )
+    assert [row[-1].text for row in shown.rows] == ["", "by another", ""]
+    assert "fits" not in [column.name for column in shown.columns]
+
+
+def test_measures_are_those_of_the_written_design():
+    good = rows()[0]
+    sizing = gw.size(parse(good.file))
+    assert good.measures == measures_of(sizing)
+    assert good.measures.gears == 2 and good.measures.bearings == len(sizing.bearings)
+    balance = gw.loss_balance(sizing)
+    assert good.measures.efficiency == pytest.approx(balance.efficiency)
+    assert good.measures.heat == pytest.approx(balance.lost)

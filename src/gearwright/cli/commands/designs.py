@@ -816,7 +816,7 @@ def show_equal_life(
     from gearwright.closure.requirements import HOUR
     from gearwright.render.answers.review import EqualLifeAnswer
     from gearwright.render.pages.studies import equal_life_page
-    from gearwright.render.tables.study import equal_life_csv, equal_life_table
+    from gearwright.render.tables.study import equal_life_csv, equal_life_table, measures_table
     from gearwright.render.words.sizing import table_text
     from gearwright.render.words.study import equal_life_sentences
     from gearwright.study import equal_life
@@ -831,6 +831,7 @@ def show_equal_life(
         show_answer("compare closed", EqualLifeAnswer(life, rows))
     else:
         show(table_text(equal_life_table(rows, title)))
+        show(table_text(measures_table(rows)))
         for sentence in equal_life_sentences(rows):
             show(sentence)
     files = {out / f"{row.title}.toml": row.file for row in rows if row.file} if out is not None else {}

@@ -180,6 +180,10 @@ def architectures(
         list[int] | None, typer.Option(help="How many stages a train may have, several times; left out: 2 and 3")
     ] = None,
     close: Annotated[int, typer.Option(help="How many of the most promising are closed for the life", min=0)] = 12,
+    restarts: Annotated[
+        int,
+        typer.Option(help="How often at most those that could be the lightest are closed from other numbers", min=0),
+    ] = 4,
     beside: Annotated[
         list[str] | None,
         typer.Option(help="Design closed to compare with, several times", autocompletion=designs_named),
@@ -197,7 +201,7 @@ def architectures(
     """Enumerate every train of a few stages for a design's machines; size, rank and close them for one life."""
     import os
 
-    from gearwright.enumeration import STAGES, architectures as ranked
+    from gearwright.enumeration import STAGES, Effort, architectures as ranked
     from gearwright.render.answers.studies import architectures_answer
     from gearwright.units import RPM
 
@@ -213,7 +217,7 @@ def architectures(
         own,
         life=life_h * 3600.0,
         stages=tuple(stages or STAGES),
-        closed=close,
+        effort=Effort(close, restarts),
         beside={name: design_of(name) for name in beside or ()},
         fastest=None if motor_rpm is None else motor_rpm * RPM,
         workers=(os.cpu_count() or 1) if workers is None else workers,
@@ -231,7 +235,12 @@ def architectures(
 
 def _show_ranking(ranking: Ranking) -> None:
     """Show the answer, the closed designs, and the most promising."""
-    from gearwright.render.tables.study import SHOWN_ARCHITECTURES as SHOWN, architectures_table, equal_life_table
+    from gearwright.render.tables.study import (
+        SHOWN_ARCHITECTURES as SHOWN,
+        architectures_table,
+        equal_life_table,
+        measures_table,
+    )
     from gearwright.render.words.sizing import table_text
     from gearwright.render.words.study import ranking_sentences
     from gearwright.units import text
@@ -240,6 +249,7 @@ def _show_ranking(ranking: Ranking) -> None:
         show(sentence)
     if ranking.closed:
         show(table_text(equal_life_table(ranking.closed, f"Closed for {text(ranking.life, 'life', 3)}")))
+        show(table_text(measures_table(ranking.closed)))
     show(table_text(architectures_table(ranking.candidates[:SHOWN], "The most promising")))
 
 

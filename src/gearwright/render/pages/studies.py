@@ -56,6 +56,7 @@ from gearwright.render.tables.study import (
     inputs_table,
     limits_table,
     listed,
+    measures_table,
     optimum_table,
     price_table,
     regret_table,
@@ -414,7 +415,11 @@ def architectures_page(
         Section("Where the mass is", tables=(group_table(masses),)),
     )
     sections = (
-        Section("At equal life", tables=(equal_life_table(ranking.closed, f"Closed for {life}"),), listed=said),
+        Section(
+            "At equal life",
+            tables=(equal_life_table(ranking.closed, f"Closed for {life}"), measures_table(ranking.closed)),
+            listed=said,
+        ),
         *(looks if closed else ()),
         Section(
             f"The {min(SHOWN, len(ranking.candidates))} most promising of {len(ranking.candidates)}",
@@ -489,7 +494,7 @@ def equal_life_page(
     sections = [
         Section(
             "Masses, lives and verdicts",
-            tables=(equal_life_table(rows, title),),
+            tables=(equal_life_table(rows, title), measures_table(rows)),
             notes=tuple(equal_life_sentences(rows)),
         ),
         Section("Where the mass is", tables=(group_table(masses),)),

@@ -5,8 +5,8 @@ How studies run is in `words`, their numbers over axes in `figures/study`.
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, fields, make_dataclass
-from typing import Any
+from dataclasses import astuple, dataclass, fields, make_dataclass
+from typing import Any, get_type_hints
 
 import numpy as np
 
@@ -20,7 +20,8 @@ from gearwright.sizing.mass import GROUPS, CompleteMass, Statistics
 from gearwright.spec import Axis, Study, value_at
 from gearwright.study import Row, Table as Rows
 from gearwright.study.answers import Verdict, bound
-from gearwright.study.architectures import EqualLife
+from gearwright.study.architectures import EqualLife, outdone
+from gearwright.study.measures import Measures
 from gearwright.study.reliability import LimitState, Reliability
 from gearwright.study.tables import Limit, quantiles
 
@@ -618,6 +619,21 @@ _NOTE = (
 )
 _GROUPS = make_dataclass("_Groups", [("design", str), *((name, Mass) for name in GROUPS), ("total", Mass)], frozen=True)
 
+_KINDS = get_type_hints(Measures, include_extras=True)
+_MEASURES = make_dataclass(
+    "_Measures",
+    [("design", str), ("with_machines", Mass | None), *((one.name, _KINDS[one.name]) for one in fields(Measures)),
+     ("outdone", str)],
+    frozen=True,
+)  # fmt: skip
+_MEASURES_NOTE = (
+    "Diameter: of the smallest circle that holds the housing as seen along the first shaft, flanges left out, and its"
+    " area; offset: of the axis of what is driven most from that of what drives most. Efficiency: of all cases by their"
+    " shares of the life; heat: of the hottest. System life: of all bearings of shafts together. Outdone: another that"
+    " passes is no heavier, wider, longer or hotter, and less of one of these. A wider nacelle costs drag: mass alone"
+    " does not rank diameters that differ by more than 15 %. Cost, noise and fuel are not in it."
+)
+
 
 def equal_life_table(rows: Sequence[EqualLife], title: str) -> Table:
     """Return the table.
@@ -629,6 +645,22 @@ def equal_life_table(rows: Sequence[EqualLife], title: str) -> Table:
     counted = any(row.inverters or row.cooling for row in rows)
     columns = [name for name in _EQUAL_LIFE_COLUMNS if counted or name not in ("motors", "inverters", "cooling")]
     return table(title, rows, columns, note=f"{_NOTE}{_beside(rows)}")
+
+
+def measures_table(rows: Sequence[EqualLife]) -> Table:
+    """Return what tells designs apart besides their mass: room, parts, heat, and which of them another outdoes.
+
+    Args:
+        rows: In their order.
+    """
+    lines = [
+        _MEASURES(row.title, row.with_machines, *astuple(row.measures), "by another" if beaten else "")
+        for row, beaten in zip(rows, outdone(rows), strict=True)
+        if row.measures is not None
+    ]
+    bounded = any(line.fits < 1.0 for line in lines)
+    columns = [field.name for field in fields(_MEASURES) if bounded or field.name != "fits"]
+    return table("More than mass", lines, columns, note=_MEASURES_NOTE)
 
 
 def group_table(masses: Mapping[str, CompleteMass]) -> Table:

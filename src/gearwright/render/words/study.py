@@ -14,7 +14,7 @@ from gearwright.spec import Study
 from gearwright.spec.studies import RELIABILITY
 from gearwright.study import EqualLife, Row, Table
 from gearwright.study.answers import Verdict, bound, confidence, kept, scenarios, sensitivity, verdict
-from gearwright.study.architectures import difference
+from gearwright.study.architectures import difference, wider
 from gearwright.study.reliability import reliability
 from gearwright.study.tables import front_table, quantiles, violations
 
@@ -384,12 +384,18 @@ def behind(best: EqualLife, other: EqualLife) -> str:
     found = difference(best, other)
     if found is None:
         return "is not comparable."
-    kilograms = (f"{part:.0f}" for part in (found.mass, found.deviation, found.rules, found.own))
-    mass, deviation, rules, own = kilograms
+    parts = [f"rules of mass {found.rules:.0f}", f"own of each gearbox {found.own:.0f}"]
+    left = "; what the search left is not in it"
+    if found.search is not None:
+        parts, left = [f"search {found.search:.0f}", *parts], ""
     word = "separable" if found.separable else "not separable with what is known"
+    across = wider(other, best)
+    apart = (
+        "" if across is None else f" Its frontal diameter is {across:.2f} times as large: mass alone does not decide."
+    )
     return (
-        f"is {text(found.mass, 'mass', 3)} heavier: {mass} ± {deviation} kg (of the ±: rules of mass {rules}, own of"
-        f" each gearbox {own}; what the search left is not in it): {word}."
+        f"is {text(found.mass, 'mass', 3)} heavier: {found.mass:.0f} ± {found.deviation:.0f} kg (of the ±:"
+        f" {', '.join(parts)}{left}): {word}.{apart}"
     )
 
 
@@ -436,9 +442,17 @@ def ranking_sentences(ranking: Ranking) -> Iterator[str]:
     yield lightest_sentence(ranking)
     if len(passing) > 1:
         yield f"The next, {ranking.called(passing[1])}, {behind(best, passing[1])}"
+    yield from _searched(ranking)
     others = [row for row in ranking.beside if row is not best and row is not passing[min(1, len(passing) - 1)]]
     if others:
         yield f"The lightest of those compared with it, {ranking.called(others[0])}, {behind(best, others[0])}"
+
+
+def _searched(ranking: Ranking) -> Iterator[str]:
+    """Yield how often the search was begun anew, and why no oftener."""
+    if ranking.stopped:
+        times = "once" if ranking.restarts == 1 else f"{ranking.restarts} times"
+        yield f"Those that could be the lightest were closed from other numbers {times}: {ranking.stopped}."
 
 
 def _lightest_that_fails(ranking: Ranking) -> Iterator[str]:

@@ -54,6 +54,7 @@ from gearwright.spec.design.stages import (
     Clutch,
     Damper,
     Epicyclic,
+    InstallationEnvelope,
     Joint,
     KeepOut,
     Pair,
@@ -190,6 +191,9 @@ class Design(Shown, Record):
     layout: dict[str, ShaftLayout] = Field(default_factory=dict, description="What is given of single shafts")
     keep_out: dict[str, KeepOut] = Field(
         default_factory=dict, description="Space that the gearbox may not take, by name"
+    )
+    installation_envelope: InstallationEnvelope = Field(
+        default_factory=InstallationEnvelope, description="Circle, length and offset of axes that the gearbox may take"
     )
     supports: dict[str, Support] = Field(default_factory=dict, description="Shafts that move on their bearings")
     errors: dict[str, PartErrors] = Field(

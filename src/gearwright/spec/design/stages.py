@@ -171,6 +171,20 @@ class KeepOut(Record):
     reason: str = Field(description="What is there")
 
 
+class InstallationEnvelope(Record):
+    """Room in which the gearbox is installed, with its housing and without its machines."""
+
+    diameter: Length | None = Field(
+        None, gt=0, description="Largest circle across the first shaft that may hold its housing; left out: any"
+    )
+    length: Length | None = Field(
+        None, gt=0, description="Largest length along the first shaft, ends of shafts with it; left out: any"
+    )
+    offset: Length | None = Field(
+        None, ge=0, description="Largest distance of the axis of what is driven from that of what drives; left out: any"
+    )
+
+
 class Support(Record):
     """Bearings of a shaft as springs to the housing; a shaft without this entry turns in rigid bearings."""
 
