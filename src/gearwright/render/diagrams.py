@@ -685,6 +685,22 @@ def keep_out() -> list[Entity]:
     return [*entities, note(complex(0.0, -17.0), "first end of the first shaft", "left")]
 
 
+def installation() -> list[Entity]:
+    """A gearbox beside and along its first shaft: length with the ends of shafts, circle of its housing, offset."""
+    low, high = 0j, 32.0j
+    entities = [*box(complex(10.0, -22.0), complex(64.0, 52.0)), axis(low, low + 74.0), axis(high, high + 78.0)]
+    entities += [*box(complex(0.0, -4.0), complex(10.0, 4.0)), *box(complex(64.0, 26.0), complex(78.0, 38.0))]
+    entities += [across(complex(0.0, -4.0), complex(78.0, 26.0), -36.0, "length_mm")]
+    front = complex(140.0, 0.0)
+    wheel, radius = front + high, (22.0 + 32.0 + 20.0) / 2.0
+    middle = front + 1j * (radius - 22.0)
+    entities += [Arc(front, 22.0, Layer.PITCH), Arc(wheel, 20.0, Layer.PITCH), Arc(middle, radius, Layer.OUTLINE)]
+    entities += [*cross(front, 4.0), *cross(wheel, 4.0)]
+    entities += up(front, wheel, 190.0, "offset_mm")
+    entities += [across(middle - radius, middle + radius, -36.0, "diameter_mm")]
+    return [*entities, note(complex(-6.0, -2.0), "drives", "right"), note(complex(81.0, 30.0), "driven", "left")]
+
+
 def _seen(x: float, y: float, z: float) -> complex:
     """Return a place in an oblique view: x to the right, y away to the upper right, z upwards."""
     return complex(x + 0.5 * y, z + 0.35 * y)
@@ -813,6 +829,7 @@ DIAGRAMS: tuple[Diagram, ...] = (
         "input-keep-out", "A box and a cylinder that the gearbox may not take",
         ("keep_out.NAME", "keep_out.NAME.start"), keep_out,
     ),
+    Diagram("input-installation", "Room that a gearbox may take", ("installation_envelope",), installation),
     Diagram("input-errors", "What is not as drawn", ("errors.NAME",), errors),
     Diagram("input-bearing", "A bearing in its housing", ("bearings.NAME", "housing"), seat),
     Diagram("input-joint", "Between a shaft and what sits on it", ("joints.NAME",), joint),
