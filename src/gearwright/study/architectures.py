@@ -238,7 +238,7 @@ def outdone(rows: Sequence[EqualLife]) -> list[bool]:
 
 def _costs(row: EqualLife) -> tuple[float, ...]:
     assert row.measures is not None
-    return row.with_machines or math.inf, row.measures.diameter, row.measures.length, row.measures.heat
+    return row.with_machines or math.inf, row.measures.frontal_diameter, row.measures.overall_length, row.measures.heat
 
 
 def wider(first: EqualLife, second: EqualLife) -> float | None:
@@ -250,7 +250,7 @@ def wider(first: EqualLife, second: EqualLife) -> float | None:
     """
     if first.measures is None or second.measures is None:
         return None
-    ratio = first.measures.diameter / second.measures.diameter
+    ratio = first.measures.frontal_diameter / second.measures.frontal_diameter
     return ratio if max(ratio, 1.0 / ratio) > FRONTAL else None
 
 

@@ -19,11 +19,11 @@ FRONTAL = 1.15
 class Measures:
     """What a gearbox takes, has and loses."""
 
-    diameter: Length
+    frontal_diameter: Length
     """Of the smallest circle across the first shaft that holds its housing [m]."""
     frontal_area: Area
     """Of that circle [m²]."""
-    length: Length
+    overall_length: Length
     """Along the first shaft, with the ends of shafts that leave the housing [m]."""
     offset: Length
     """Of the axis of what is driven most from that of what drives most [m]."""
@@ -50,9 +50,9 @@ def measures_of(sizing: Sizing) -> Measures:
     taken = installation_of(sizing)
     planets = sum(gear.bodies * gear.runs_on.side_by_side for gear in sizing.gears if gear.runs_on)
     return Measures(
-        diameter=taken.diameter,
+        frontal_diameter=taken.diameter,
         frontal_area=taken.frontal_area,
-        length=taken.length,
+        overall_length=taken.length,
         offset=taken.offset,
         fits=chance_to_fit(sizing),
         gears=sum(gear.bodies for gear in sizing.gears),

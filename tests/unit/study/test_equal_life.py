@@ -188,7 +188,7 @@ def test_what_may_not_fit_is_not_surely_the_lightest():
 
 def test_what_is_no_lighter_wider_longer_or_hotter_than_another_that_passes_is_not_outdone():
     good, narrow, _ = rows()
-    wide = replace(good, measures=replace(good.measures, diameter=1.2 * good.measures.diameter))
+    wide = replace(good, measures=replace(good.measures, frontal_diameter=1.2 * good.measures.frontal_diameter))
     light = replace(wide, with_machines=good.with_machines - 1.0)
     assert outdone([good, wide, light, narrow]) == [False, True, False, False]
     assert f"frontal diameter is {1.2:.2f} times as large: mass alone does not decide" in behind(good, wide)
