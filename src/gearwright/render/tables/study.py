@@ -628,10 +628,10 @@ _MEASURES = make_dataclass(
 )  # fmt: skip
 _MEASURES_NOTE = (
     "Frontal diameter: of the smallest circle that holds the housing as seen along the first shaft, flanges left out;"
-    " its area; offset: of the axis of what is driven most from that of what drives most. Efficiency: of all cases by their"
-    " shares of the life; heat: of the hottest. System life: of all bearings of shafts together. Outdone: another that"
-    " passes is no heavier, wider, longer or hotter, and less of one of these. A wider nacelle costs drag: mass alone"
-    " does not rank diameters that differ by more than 15 %. Cost, noise and fuel are not in it."
+    " its area; offset: of the axis of what is driven most from that of what drives most. Efficiency: of all cases by"
+    " their shares of the life; heat: of the hottest. System life: of all bearings of shafts together. Outdone: another"
+    " that passes is no heavier, wider, longer or hotter, and less of one of these. A wider nacelle costs drag: mass"
+    " alone does not rank diameters that differ by more than 15 %. Cost, noise and fuel are not in it."
 )
 
 
