@@ -16,6 +16,7 @@ from gearwright.mission.lives.damage import (
     shaft_spectrum,
     unrated_stages,
 )
+from gearwright.mission.lives.housing import HousingSection, housing_checks, housing_sections
 from gearwright.mission.lives.life import (
     ENDLESS,
     Durability,
@@ -42,6 +43,7 @@ __all__ = [
     "DutySpectrum",
     "FlownMix",
     "GearDamage",
+    "HousingSection",
     "LifeSizing",
     "LoadLife",
     "MeasuredDuty",
@@ -56,6 +58,8 @@ __all__ = [
     "fly_mix",
     "gear_damage",
     "gear_damages",
+    "housing_checks",
+    "housing_sections",
     "load_lives",
     "mesh_spectrum",
     "mixed_life",
