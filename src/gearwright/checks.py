@@ -50,6 +50,7 @@ BEYOND_SIZING = (
     "collar fatigue",
     "mount fatigue",
     "arm fatigue",
+    "overhaul interval",
     "ring seat pressure",
     "seal speed",
     "seal temperature",

@@ -16,7 +16,13 @@ from gearwright.mission.lives.damage import (
     shaft_spectrum,
     unrated_stages,
 )
-from gearwright.mission.lives.housing import HousingSection, housing_checks, housing_sections
+from gearwright.mission.lives.housing import (
+    Assumed,
+    HousingSection,
+    housing_assumptions,
+    housing_checks,
+    housing_sections,
+)
 from gearwright.mission.lives.life import (
     ENDLESS,
     Durability,
@@ -32,10 +38,12 @@ from gearwright.mission.lives.life import (
     size_for_life,
 )
 from gearwright.mission.lives.measured import DutySpectrum, MeasuredDuty, duty_spectrum, read_duty, torque_cycles
+from gearwright.mission.lives.upkeep import Upkeep, upkeep_checks, upkeep_of
 
 __all__ = [
     "ENDLESS",
     "USUAL_RELIABILITY",
+    "Assumed",
     "BearingDamage",
     "BearingLives",
     "Durability",
@@ -49,6 +57,7 @@ __all__ = [
     "MeasuredDuty",
     "MixedLife",
     "PartLife",
+    "Upkeep",
     "bearing_lives",
     "bearing_spectra",
     "bearings_of",
@@ -58,6 +67,7 @@ __all__ = [
     "fly_mix",
     "gear_damage",
     "gear_damages",
+    "housing_assumptions",
     "housing_checks",
     "housing_sections",
     "load_lives",
@@ -69,4 +79,6 @@ __all__ = [
     "size_for_life",
     "torque_cycles",
     "unrated_stages",
+    "upkeep_checks",
+    "upkeep_of",
 ]

@@ -450,8 +450,8 @@ def counted(loaded: Loaded, duty: Duty, material: HousingMaterial) -> HousingSec
         swing_range=max((one.range for one in shaken), default=0.0),
         swings=sum(one.number for one in shaken),
         damage=damage,
-        start_share=sums[0] / damage if damage else 0.0,
-        swing_share=sums[2] / damage if damage else 0.0,
+        start_share=round(sums[0] / damage, 6) if damage else 0.0,
+        swing_share=round(sums[2] / damage, 6) if damage else 0.0,
         safety=fatigue_safety(curve, [*turned, *shaken], spectrum=MINER),
     )
 
@@ -589,6 +589,48 @@ def _mounts(sizing: Sizing, duty: Duty, mass: float) -> Iterator[Loaded]:
     forces = course.times(mount_force(1.0, radius, 0.0, LUGS))
     loaded = forces._replace(steady=forces.steady + np.where(forces.steady < 0.0, -weight, weight))
     yield Loaded(HOUSING, "mount", loaded.times(unit), NOTCH)
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What all of this rests on.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Assumed:
+    """One assumption."""
+
+    what: str
+    value: str
+    source: str
+
+
+def housing_assumptions(sizing: Sizing, flight: Flight | None) -> Iterator[Assumed]:
+    """Yield what the fatigue of a housing rests on.
+
+    Args:
+        sizing: As sized.
+        flight: Of it; None: its load cases.
+    """
+    rules, curve = sizing.design.housing, housing_materials()[sizing.design.housing.material].curve
+    if flight is None:
+        interval, known = _interval(sizing)
+        said = "the design" if known else "assumed: no case has a duration, nor is [housing] start_interval_h given"
+        yield Assumed("from start to start", f"{interval / 3600.0:.4g} h", said)
+        yield Assumed("loads over nominal ones", f"K_A = {sizing.design.service.application_factor:g}", "[service]")
+    else:
+        yield Assumed("from start to start", f"{flight.duration / 3600.0:.4g} h", "the flight, over and over")
+        yield Assumed("loads over nominal ones", "1", "those of the flight")
+    yield Assumed("steady part", "force of a seat stands still in the housing", "starts, changes and meshes alternate")
+    moves = "supports that move, else meshes" if sizing.design.supports else "meshes on rigid bearings"
+    yield Assumed("vibration", moves, "forced response of each case, tones as if they met; mounts: none")
+    yield Assumed("fillets", f"K_t = {NOTCH:.2f}; of the shell {corner_concentration(1.0, FILLET):.2f}", "r = d/5, t/2")
+    lines = "-".join(f"{slope:g}" for slope in curve.slopes)
+    class_of = f"Δσ = {1e-6 * curve.strength:g} MPa at {curve.cycles:g}, slopes {lines}"
+    yield Assumed("casting", class_of, _CLAUSES[rules.material])
+    yield Assumed("Miner's sum", f"{MINER:g} of many sizes to 1 of one", "Schönborn et al. 2015; FKM guideline")
+    if rules.reaction == "lugs":
+        yield Assumed("weight on mounts", f"{LOAD_FACTOR:g} g once from start to start", "CS 25.337")
 
 
 # ----------------------------------------------------------------------------------------------------------------------

@@ -845,6 +845,9 @@ class HousingRules(Record):
         description="From start to start; left out: what all load cases last together, where they have durations, else"
         " an hour",
     )
+    overhaul_interval: Time | None = Field(
+        None, gt=0, description="Asked of all for which the housing is opened; left out: none, intervals are told alone"
+    )
     mass: Mass | None = Field(
         None, gt=0, description="Of the housing, as weighed; left out: shell, ribs, flanges, bosses"
     )
