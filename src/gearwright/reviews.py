@@ -276,7 +276,7 @@ def _sections(sizing: Sizing, flight: Flight | None, complete: CompleteMass) -> 
     try:
         return housing_sections(sizing, flight, complete.total), ""
     except DesignError as error:  # nothing takes a force along a shaft
-        return (), " ".join(str(error).split())
+        return (), "; ".join(problem.message for problem in error.problems)
 
 
 def _masses(complete: CompleteMass) -> dict[str, Named]:

@@ -234,7 +234,7 @@ def _quotient(power: Floats, speed: Floats) -> Floats:
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-class Course(NamedTuple):
+class Loading(NamedTuple):
     """What one section bears over a cycle of use, shape (n,), in any unit of load."""
 
     steady: Floats
@@ -244,8 +244,8 @@ class Course(NamedTuple):
     rate: Floats
     """At which it does [Hz]."""
 
-    def times(self, factor: float) -> Course:
-        """Return the course in another unit.
+    def times(self, factor: float) -> Loading:
+        """Return the loading in another unit.
 
         Args:
             factor: Of that for one of this.
@@ -253,16 +253,16 @@ class Course(NamedTuple):
         return self._replace(steady=factor * self.steady, swing=abs(factor) * self.swing)
 
 
-class SeatCourse(NamedTuple):
+class SeatLoading(NamedTuple):
     """What one seat gives to the housing."""
 
-    radial: Course
+    radial: Loading
     """[N]"""
     axial: Floats
     """Without sign [N]."""
 
 
-def seat_courses(sizing: Sizing, duty: Duty) -> dict[str, SeatCourse]:
+def seat_loadings(sizing: Sizing, duty: Duty) -> dict[str, SeatLoading]:
     """Return seat of a shaft -> what it gives to the housing.
 
     Args:
@@ -277,7 +277,7 @@ def seat_courses(sizing: Sizing, duty: Duty) -> dict[str, SeatCourse]:
         DesignError: If nothing takes a force along a shaft.
     """
     seats = {seat.name: seat for seat in bearing_seats(sizing)}
-    found = dict[str, SeatCourse]()
+    found = dict[str, SeatLoading]()
     for shaft, own in held_shafts(seats).items():
         pushes = {name: pushed(seat, duty.torques) for name, seat in own.items()}
         radial = {name: _radial(pushes[name], seat.across) for name, seat in own.items()}
@@ -288,7 +288,7 @@ def seat_courses(sizing: Sizing, duty: Duty) -> dict[str, SeatCourse]:
             if shaft in duty.supports:
                 swing = duty.supports[shaft] / len(own)
                 rate = np.where(rate > 0.0, rate, duty.rates.max(axis=1))
-            found[name] = SeatCourse(Course(radial[name], swing, rate), axial[name])
+            found[name] = SeatLoading(Loading(radial[name], swing, rate), axial[name])
     return found
 
 
@@ -309,7 +309,7 @@ def _vibrating(seat: Seat, duty: Duty) -> tuple[Floats, Floats]:
     return swing.sum(axis=1), rate
 
 
-def torque_course(duty: Duty, torque: Floats) -> Course:
+def torque_loading(duty: Duty, torque: Floats) -> Loading:
     """Return a torque that the housing holds with its vibration: that of the mesh that swings most [N m].
 
     Args:
@@ -317,7 +317,7 @@ def torque_course(duty: Duty, torque: Floats) -> Course:
         torque: In each row of it [N m].
     """
     loaded = duty.torques != 0.0
-    return Course(
+    return Loading(
         torque,
         np.abs(torque) * np.where(loaded, duty.swings, 0.0).max(axis=1),
         np.where(loaded, duty.rates, 0.0).max(axis=1),
@@ -325,7 +325,7 @@ def torque_course(duty: Duty, torque: Floats) -> Course:
 
 
 # ----------------------------------------------------------------------------------------------------------------------
-# Sections of the housing under their courses: nominal stress, notch, cycles of every part of the load, safety.
+# Sections of the housing under their loadings: nominal stress, notch, cycles of every part of the load, safety.
 # ----------------------------------------------------------------------------------------------------------------------
 
 
@@ -386,7 +386,7 @@ class Loaded(NamedTuple):
 
     part: PartId
     section: str
-    stress: Course
+    stress: Loading
     """Nominal, of equal effect as a normal one [Pa]."""
     notch: float
 
@@ -462,32 +462,32 @@ def _shell(sizing: Sizing, duty: Duty) -> Iterator[Loaded]:
     notch = corner_concentration(wall, FILLET * wall)
     for way, _ in held_torques(sizing):
         section = shell_of(sizing).section if abs(way.x) > 1.0 - 1e-6 else section_across(housed(sizing), way)
-        one = torque_course(duty, torque_about(sizing, duty.machines, way))
+        one = torque_loading(duty, torque_about(sizing, duty.machines, way))
         yield Loaded(HOUSING, "shell", one.times(shell_stress(1.0, section, wall) / material.shear_share), notch)
 
 
 def _at_seats(sizing: Sizing, duty: Duty) -> Iterator[Loaded]:
     """Yield walls, webs and collars at the seats of shafts."""
-    courses = seat_courses(sizing, duty)
+    loadings = seat_loadings(sizing, duty)
     bosses = carried_in_walls(sizing)
     carried = {name for one in bosses for name in one.bearings}
     for seat in bearing_seats(sizing):
-        if seat.name in courses and seat.name not in carried:
+        if seat.name in loadings and seat.name not in carried:
             diameter = SEAT * seat.bore
             seated = _Seated(seat.part, diameter, WIDTH * diameter, (0.5 + BOSS) * diameter)
-            yield from _walls(sizing, seated, courses[seat.name])
+            yield from _walls(sizing, seated, loadings[seat.name])
     for one in bosses:
         if one.found:
-            yield from _carried(sizing, one, courses)
+            yield from _carried(sizing, one, loadings)
 
 
-def _carried(sizing: Sizing, carried: Carried, courses: Mapping[str, SeatCourse]) -> Iterator[Loaded]:
+def _carried(sizing: Sizing, carried: Carried, loadings: Mapping[str, SeatLoading]) -> Iterator[Loaded]:
     """Yield what carries the bosses of bearings that are beside each other."""
-    own = [courses[name] for name in carried.bearings if name in courses]
+    own = [loadings[name] for name in carried.bearings if name in loadings]
     if not own:
         return
-    together = SeatCourse(
-        Course(
+    together = SeatLoading(
+        Loading(
             np.sum([one.radial.steady for one in own], axis=0),
             np.sum([one.radial.swing for one in own], axis=0),
             np.max([one.radial.rate for one in own], axis=0),
@@ -508,7 +508,7 @@ def _carried(sizing: Sizing, carried: Carried, courses: Mapping[str, SeatCourse]
     yield from _walls(sizing, _Seated(part, bearing.outer_diameter, bearing.width, outer), together)
 
 
-def _webs(sizing: Sizing, part: PartId, carried: Carried, together: SeatCourse) -> Iterator[Loaded]:
+def _webs(sizing: Sizing, part: PartId, carried: Carried, together: SeatLoading) -> Iterator[Loaded]:
     """Yield the web of a boss that its largest forces load most."""
     least = weighed_wall(sizing).thickness / 2.0
     radial, axial = (web_shares(carried.webs, forces, least) for forces in ((1.0, 0.0), (0.0, 1.0)))
@@ -523,12 +523,12 @@ def _webs(sizing: Sizing, part: PartId, carried: Carried, together: SeatCourse) 
     yield Loaded(part, "web", _both(together, worst), NOTCH)
 
 
-def _both(course: SeatCourse, unit: tuple[float, float]) -> Course:
+def _both(loading: SeatLoading, unit: tuple[float, float]) -> Loading:
     """Return the stress by a radial and an axial force of which each is known for one newton, both adding up [Pa]."""
     across, along = unit
-    steady = course.radial.steady
-    size = across * np.abs(steady) + along * course.axial
-    return Course(np.where(steady < 0.0, -size, size), across * course.radial.swing, course.radial.rate)
+    steady = loading.radial.steady
+    size = across * np.abs(steady) + along * loading.axial
+    return Loading(np.where(steady < 0.0, -size, size), across * loading.radial.swing, loading.radial.rate)
 
 
 class _Seated(NamedTuple):
@@ -543,7 +543,7 @@ class _Seated(NamedTuple):
     """Radius of what is rigid around it."""
 
 
-def _walls(sizing: Sizing, seated: _Seated, course: SeatCourse) -> Iterator[Loaded]:
+def _walls(sizing: Sizing, seated: _Seated, loading: SeatLoading) -> Iterator[Loaded]:
     """Yield the wall in which a bearing stands: its shear, and what it would bear at least as a flat wall.
 
     The flat wall has no ribs, is built in on a circle as large as the housing's largest section with the bearing in its
@@ -554,12 +554,12 @@ def _walls(sizing: Sizing, seated: _Seated, course: SeatCourse) -> Iterator[Load
     wall = max(weighed_wall(sizing).thickness, _padded(sizing, part, diameter, material))
     edge = max(math.sqrt(shell.section / math.pi), EDGE * boss)
     shear = seat_shear(1.0, diameter, wall) / material.shear_share
-    yield Loaded(part, "wall", course.radial.times(shear), NOTCH)
+    yield Loaded(part, "wall", loading.radial.times(shear), NOTCH)
     pushed_by, tilted_by = pushed_wall(1.0, boss, edge, wall), tilted_wall(0.5 * width, boss, edge, wall)
-    steady = course.radial.steady
-    size = np.hypot(shear * steady, pushed_by * course.axial + tilted_by * np.abs(steady))
-    swing = math.hypot(shear, tilted_by) * course.radial.swing
-    yield Loaded(part, FLAT, Course(np.where(steady < 0.0, -size, size), swing, course.radial.rate), NOTCH)
+    steady = loading.radial.steady
+    size = np.hypot(shear * steady, pushed_by * loading.axial + tilted_by * np.abs(steady))
+    swing = math.hypot(shear, tilted_by) * loading.radial.swing
+    yield Loaded(part, FLAT, Loading(np.where(steady < 0.0, -size, size), swing, loading.radial.rate), NOTCH)
 
 
 def _padded(sizing: Sizing, part: PartId, diameter: float, material: HousingMaterial) -> float:
@@ -576,17 +576,17 @@ def _mounts(sizing: Sizing, duty: Duty, mass: float) -> Iterator[Loaded]:
     material, wall = housing_materials()[sizing.design.housing.material], weighed_wall(sizing).thickness
     ways = [torque_about(sizing, duty.machines, way) for way, _ in held_torques(sizing)]
     torque = ways[int(np.argmax([np.abs(one).max() for one in ways]))]
-    course = Course(torque, np.zeros_like(torque), np.zeros_like(torque))
+    loading = Loading(torque, np.zeros_like(torque), np.zeros_like(torque))
     if sizing.design.housing.reaction == "torque-arms":
         volume = torque_arm_volume(reaction_torque(sizing), material.bending_strength)
-        yield Loaded(HOUSING, "arm", course.times(arm_stress(1.0, volume)), NOTCH)
+        yield Loaded(HOUSING, "arm", loading.times(arm_stress(1.0, volume)), NOTCH)
         return
     shell = shell_of(sizing)
     width = lug_width(MOUNTS * shell.area * wall)
     radius = shell.girth / (2.0 * math.pi) + CENTRE * width
     unit = lug_stress(1.0, CENTRE * width, width, DEPTH * width)
     weight = mount_force(0.0, radius, LOAD_FACTOR * mass * GRAVITY, LUGS)
-    forces = course.times(mount_force(1.0, radius, 0.0, LUGS))
+    forces = loading.times(mount_force(1.0, radius, 0.0, LUGS))
     loaded = forces._replace(steady=forces.steady + np.where(forces.steady < 0.0, -weight, weight))
     yield Loaded(HOUSING, "mount", loaded.times(unit), NOTCH)
 

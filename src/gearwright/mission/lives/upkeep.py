@@ -8,13 +8,13 @@ from dataclasses import dataclass
 from itertools import combinations
 from typing import NamedTuple
 
-from gearwright.base import CELSIUS, Check, Kind, Life, PartId, smallest_first, text
+from gearwright.base import CELSIUS, GEARBOX, Check, Kind, Life, PartId, Role, carrier_part, smallest_first, text
 from gearwright.mission.flight import Flight
 from gearwright.mission.lives.life import Durability
 from gearwright.parts.bearings import system_life, weibull_slope
 from gearwright.parts.upkeep import LEAKAGE, lip_life, lip_wear_life, oil_life
 from gearwright.sizing import Sizing
-from gearwright.sizing.bearing_seats import PlanetBody, planet_bodies
+from gearwright.sizing.bearing_seats import PlanetBody, bearing_seats, planet_bodies
 from gearwright.sizing.making import ENDS, Withdrawn, leaves_past, withdrawals
 from gearwright.sizing.result import Body
 from gearwright.sizing.shafts.ends import LIP_WARMER, Exit, exits_of
@@ -28,8 +28,10 @@ from gearwright.sizing.shafts.ends import LIP_WARMER, Exit, exits_of
 class Upkeep:
     """One task of maintenance."""
 
+    part: PartId
+    """To what it is done."""
     task: str
-    """What is done, and to what."""
+    """What is done."""
     interval: Life | None
     """After which [s]; None where nothing says it."""
     decides: str
@@ -80,13 +82,13 @@ def _oil(sizing: Sizing, flight: Flight | None) -> Iterator[Upkeep]:
         return
     warm = sizing.design.oil.temperature if flight is None else flight.hottest_oil - CELSIUS
     life = oil_life(warm)
-    yield Upkeep("oil: change", life, f"it ages at {warm:.0f} °C", (), opens=False, source=_OIL_SOURCE)
+    yield Upkeep(GEARBOX, "change oil", life, f"it ages at {warm:.0f} °C", (), opens=False, source=_OIL_SOURCE)
     if housing.oil_system == "own":
         why = "half of the oil's life; its indicator of pressure loss before"
-        yield Upkeep("oil filter: change", life / FILTERS, why, (), opens=False, source="estimate")
+        yield Upkeep(GEARBOX, "change oil filter", life / FILTERS, why, (), opens=False, source="estimate")
         why = "chips of teeth and bearings before they fail; its signal between inspections"
         source = "14 CFR 91.409(b), 29.1337(e)"
-        yield Upkeep("chip detector: look", INSPECTION, why, (), opens=False, source=source)
+        yield Upkeep(GEARBOX, "look at chip detector", INSPECTION, why, (), opens=False, source=source)
 
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -99,12 +101,12 @@ _SEAL_SOURCE = "Arrhenius, half for 10 K; 250 000 km of sliding: estimates; DIN 
 
 def _seals(sizing: Sizing) -> Iterator[Upkeep]:
     for leaves in exits_of(sizing):
-        task = f"seal at {leaves.machine}: change"
+        part, task = PartId(Kind.MACHINE, leaves.machine), "change seal"
         if leaves.elastomer is None:
-            yield Upkeep(task, None, leaves.lacking, (leaves.machine,), opens=False, source=_SEAL_SOURCE)
+            yield Upkeep(part, task, None, leaves.lacking, (leaves.machine,), opens=False, source=_SEAL_SOURCE)
         else:
             life, why = _lip(sizing, leaves)
-            yield Upkeep(task, life, why, (leaves.machine,), opens=False, source=_SEAL_SOURCE)
+            yield Upkeep(part, task, life, why, (leaves.machine,), opens=False, source=_SEAL_SOURCE)
 
 
 def _lip(sizing: Sizing, leaves: Exit) -> tuple[float, str]:
@@ -128,29 +130,37 @@ _SET_SOURCE = "ISO 281; Weibull's product over the set"
 
 
 def _planets(sizing: Sizing, lives: Durability | None) -> Iterator[Upkeep]:
-    checks = {str(check.part): check for check in sizing.checks if check.dimension == "life"}
     for body in planet_bodies(sizing.design, sizing.gears):
-        task = f"bearings of {body.part}: change"
-        opened = way_to(sizing, body.stage)
-        life, why = _set_life(body, checks, lives)
-        yield Upkeep(task, life, why, (*opened, f"{body.stage}.carrier"), opens=True, source=_SET_SOURCE)
+        first = (*way_to(sizing, body.stage), str(carrier_part(body.stage)))
+        life, why = _set_life(sizing, body, lives)
+        yield Upkeep(body.part, "change bearings", life, why, first, opens=True, source=_SET_SOURCE)
 
 
-def _set_life(body: PlanetBody, checks: dict[str, Check], lives: Durability | None) -> tuple[float | None, str]:
+def _set_life(sizing: Sizing, body: PlanetBody, lives: Durability | None) -> tuple[float | None, str]:
     """Return the life of all bearings of a set together [s], and by what."""
     if any(step.runs_on is not None and step.runs_on.journal is not None for step in body.steps):
         return None, "a film bears: it has no rating life, wear of starts decides"
-    count = body.steps[0].bodies
-    rows = () if lives is None else [row for row in lives.bearings.rows if row.seat.startswith(str(body.part))]
-    if rows:
-        singles = [3600.0 * row.life for row in rows for _ in range(row.count)]
-        slopes = [weibull_slope(row.bearing.kind) for row in rows for _ in range(row.count)]
-        return system_life(singles, slopes), f"L_10 of all {len(singles)} together over the flight"
-    check = checks.get(str(body.part))
-    if check is None or check.value is None:
+    kinds = [step.runs_on.bearing.kind for step in body.steps if step.runs_on and step.runs_on.bearing]
+    parts = {seat.part for seat in bearing_seats(sizing) if _is_of(seat.part, body)}
+    names = {str(part) for part in parts}
+    rows = [] if lives is None else [row for row in lives.bearings.rows if row.seat in names]
+    singles = [(3600.0 * row.life, weibull_slope(row.bearing.kind)) for row in rows for _ in range(row.count)]
+    over = " over the flight" if rows else ""
+    if not rows and kinds:
+        known = [check.value for check in sizing.checks if check.dimension == "life" and check.part in parts]
+        equal = body.steps[0].bodies
+        singles = [(life, weibull_slope(kinds[0])) for life in known if life is not None for _ in range(equal)]
+    if not singles:
         return None, "the design names no bearing of its planets"
-    kind = next(step.runs_on.bearing.kind for step in body.steps if step.runs_on and step.runs_on.bearing)
-    return system_life([check.value] * count, weibull_slope(kind)), f"L_10 of all {count} together"
+    life = system_life([one for one, _ in singles], [slope for _, slope in singles])
+    return life, f"L_10 of all {len(singles)} together{over}"
+
+
+def _is_of(part: PartId, body: PlanetBody) -> bool:
+    """Tell whether a bearing sits in a body of planets."""
+    return (part.kind, part.name, part.role) == (Kind.BEARING, body.stage, Role.PLANET) and part.own in {
+        step.own for step in body.steps
+    }
 
 
 class _Stage(NamedTuple):
@@ -241,12 +251,13 @@ def _modules(sizing: Sizing) -> Iterator[Upkeep]:
         own = [bearing for bearing in sizing.bearings if bearing.shaft == shaft.name]
         slopes = [weibull_slope(bearing.bearing.kind) for bearing in own]
         life = system_life([bearing.judged_life or bearing.life for bearing in own], slopes)
-        task, why = f"shaft {shaft.name} with its bearings: overhaul", f"L_10 of its {len(own)} bearings together"
+        part, why = PartId(Kind.SHAFT, shaft.name), f"L_10 of its {len(own)} bearings together"
         if shaft.name in stuck:
             first: tuple[str, ...] = (f"housing beside it: locked in with {', '.join(stuck)}",)
         else:
             first = _before(sizing, ways[shaft.name], out)
-        yield Upkeep(task, life if math.isfinite(life) else None, why, first, opens=True, source=_MODULE_SOURCE)
+        asked = life if math.isfinite(life) else None
+        yield Upkeep(part, "overhaul with its bearings", asked, why, first, opens=True, source=_MODULE_SOURCE)
 
 
 def _before(sizing: Sizing, step: Withdrawn, out: Sequence[Withdrawn]) -> tuple[str, ...]:
@@ -280,7 +291,7 @@ def upkeep_checks(sizing: Sizing, tasks: Sequence[Upkeep]) -> Iterator[Check]:
     asked = sizing.design.housing.overhaul_interval
     for task in tasks if asked is not None else ():
         if task.opens and task.interval is not None:
-            part = PartId(Kind.GEARBOX, task.task.partition(":")[0])
             yield Check(
-                part, "overhaul interval", task.source, task.interval, asked, "life", exponent=None, place=task.decides
-            )
+                task.part, "overhaul interval", task.source, task.interval, asked, "life", exponent=None,
+                place=task.decides,
+            )  # fmt: skip

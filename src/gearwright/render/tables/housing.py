@@ -11,6 +11,7 @@ _TIRES = (
 _UPKEEP = (
     "What has to come off first follows from where stages, shafts and machines stand; intervals are asked of none."
 )
+_TASKS = ("part", "task", "interval", "decides", "removed_first", "source")
 _SECTIONS = (
     "part", "section", "stress", "notch", "start_range", "starts", "change_range", "swing_range", "swings",
     "start_share", "swing_share", "safety",
@@ -26,5 +27,10 @@ def housing_tables(review: Review) -> tuple[Table, ...]:
     return (
         table("What tires the housing", review.housing, _SECTIONS, note=_TIRES),
         table("Assumed of the housing", review.housing_assumed, ("what", "value", "source")),
-        table("Maintenance", review.upkeep, ("task", "interval", "decides", "removed_first", "source"), note=_UPKEEP),
+        table(
+            "Maintenance",
+            review.upkeep,
+            ("part", "task", "interval", "decides", "removed_first", "source"),
+            note=_UPKEEP,
+        ),
     )
