@@ -495,9 +495,6 @@ def _carried(sizing: Sizing, carried: Carried, loadings: Mapping[str, SeatLoadin
         np.sum([one.axial for one in own], axis=0),
     )
     part = PartId(Kind.BEARING, carried.bearings[0])
-    if carried.webs:
-        yield from _webs(sizing, part, carried, together)
-        return
     bearing = next(bearing for bearing in sizing.bearings if bearing.name == carried.bearings[0])
     outer = (0.5 + BOSS) * bearing.outer_diameter
     for collar in carried.collars:
@@ -505,22 +502,28 @@ def _carried(sizing: Sizing, carried: Carried, loadings: Mapping[str, SeatLoadin
         stress = _both(together, unit)
         yield Loaded(PartId(Kind.BEARING, collar.bearing), "collar", stress, NOTCH)
         outer = max(outer, collar.outer)
-    yield from _walls(sizing, _Seated(part, bearing.outer_diameter, bearing.width, outer), together)
+    units = _webs(sizing, carried)
+    if units:
+        largest = float(np.abs(together.radial.steady).max()), float(together.axial.max())
+        worst = max(units, key=lambda unit: round(unit[0] * largest[0] + unit[1] * largest[1], 6))
+        yield Loaded(part, "web", _both(together, worst), NOTCH)
+    else:
+        yield from _walls(sizing, _Seated(part, bearing.outer_diameter, bearing.width, outer), together)
 
 
-def _webs(sizing: Sizing, part: PartId, carried: Carried, together: SeatLoading) -> Iterator[Loaded]:
-    """Yield the web of a boss that its largest forces load most."""
+def _webs(sizing: Sizing, carried: Carried) -> list[tuple[float, float]]:
+    """Return the stress of each web of a boss by one newton across and along its shaft [Pa].
+
+    There are none where the boss stands in the wall on the side of the others, which then bears.
+    """
     least = weighed_wall(sizing).thickness / 2.0
     radial, axial = (web_shares(carried.webs, forces, least) for forces in ((1.0, 0.0), (0.0, 1.0)))
     if radial is None or axial is None:
-        return
-    units = [
+        return []
+    return [
         (web_stress(float(pull), 0.0, web.width, web.thickness), web_stress(0.0, float(bend), web.width, web.thickness))
         for web, pull, bend in zip(carried.webs, radial.pulls, axial.moments, strict=True)
     ]
-    largest = float(np.abs(together.radial.steady).max()), float(together.axial.max())
-    worst = max(units, key=lambda unit: round(unit[0] * largest[0] + unit[1] * largest[1], 6))
-    yield Loaded(part, "web", _both(together, worst), NOTCH)
 
 
 def _both(loading: SeatLoading, unit: tuple[float, float]) -> Loading:
@@ -571,7 +574,8 @@ def _padded(sizing: Sizing, part: PartId, diameter: float, material: HousingMate
 def _mounts(sizing: Sizing, duty: Duty, mass: float) -> Iterator[Loaded]:
     """Yield what holds the gearbox: lugs as they are drawn, or torque arms.
 
-    What vibrates at mesh frequency the housing's own inertia holds: its mounts are soft beside it.
+    Lugs bear torque and weight around the housing, and the thrust of propellers and rotors in the direction in which
+    they are weaker. What vibrates at mesh frequency the housing's own inertia holds: its mounts are soft beside it.
     """
     material, wall = housing_materials()[sizing.design.housing.material], weighed_wall(sizing).thickness
     ways = [torque_about(sizing, duty.machines, way) for way, _ in held_torques(sizing)]
@@ -584,11 +588,13 @@ def _mounts(sizing: Sizing, duty: Duty, mass: float) -> Iterator[Loaded]:
     shell = shell_of(sizing)
     width = lug_width(MOUNTS * shell.area * wall)
     radius = shell.girth / (2.0 * math.pi) + CENTRE * width
-    unit = lug_stress(1.0, CENTRE * width, width, DEPTH * width)
+    lever, depth = CENTRE * width, DEPTH * width
+    around, along = lug_stress(1.0, lever, width, depth), lug_stress(1.0, lever, depth, width)
     weight = mount_force(0.0, radius, LOAD_FACTOR * mass * GRAVITY, LUGS)
-    forces = loading.times(mount_force(1.0, radius, 0.0, LUGS))
-    loaded = forces._replace(steady=forces.steady + np.where(forces.steady < 0.0, -weight, weight))
-    yield Loaded(HOUSING, "mount", loaded.times(unit), NOTCH)
+    thrust = np.sum([np.abs(one) for one in duty.thrusts.values()], axis=0) / LUGS
+    steady = loading.steady
+    size = around * (mount_force(1.0, radius, 0.0, LUGS) * np.abs(steady) + weight) + along * thrust
+    yield Loaded(HOUSING, "mount", loading._replace(steady=np.where(steady < 0.0, -size, size)), NOTCH)
 
 
 # ----------------------------------------------------------------------------------------------------------------------
