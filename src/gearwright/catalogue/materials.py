@@ -12,7 +12,7 @@ from typing import Any
 from gearwright.base import SUFFIXES, Density, DesignError, Length, Problem, Ratio, Stress, near
 from gearwright.catalogue.tables import data_rows, data_text
 from gearwright.parts import LifeLine, Material
-from gearwright.parts.housing_fatigue import VERY_HIGH, CastCurve
+from gearwright.parts.housing_fatigue import CastCurve
 from gearwright.parts.housings import CAST_SAFETY, CastingRule
 from gearwright.parts.iso6336 import (
     GearSteel,
@@ -334,8 +334,8 @@ def _material(row: Mapping[str, str]) -> HousingMaterial:
         CastCurve(
             float(row["fatigue_class_mpa"]) * _MPA,
             float(row["class_cycles"]),
-            (float(row["slope"]), float(row["second_slope"]), float(row["last_slope"])),
-            (float(row["knee_cycles"]), VERY_HIGH),
+            (float(row["slope"]), float(row["second_slope"])),
+            float(row["knee_cycles"]),
         ),
         row["source"],
     )

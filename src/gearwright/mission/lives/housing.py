@@ -37,8 +37,9 @@ from gearwright.parts.housing_fatigue import (
     lug_stress,
     miner_sum,
     mount_force,
+    pulled_concentration,
     pushed_wall,
-    seat_shear,
+    seat_stress,
     shell_stress,
     shoulder_concentration,
     tilted_wall,
@@ -335,8 +336,12 @@ MINER = 0.3
 FILLET = 0.5
 """Radius of fillets over the wall [-], an assumption: usual in castings."""
 NOTCH = shoulder_concentration(2.5, 2.0)
-"""Stress in fillets at the feet of webs, bosses and lugs over the nominal one [-]: r = d/5 where D = 2 d, an
-assumption."""
+"""Stress in fillets at the feet of webs, bosses and lugs that are bent over the nominal one [-]: r = d/5 where D = 2 d,
+an assumption."""
+PULLED = pulled_concentration(2.5, 2.0)
+"""The same of a wall that is pulled beside a boss [-]."""
+BEYOND = 1.0 + 1e-9
+"""Over the safety, where shares are taken: vibration that reaches the cut-off there does harm [-]."""
 FLAT = "flat wall"
 """Section that says what a wall bears at least."""
 EDGE = 1.25
@@ -374,9 +379,9 @@ class HousingSection:
     damage: Ratio
     """Miner's sum over the life, as loaded [-]."""
     start_share: Ratio
-    """Of it by starts [-]."""
+    """By starts, of the sum at which it fails: with loads grown by the safety [-]."""
     swing_share: Ratio
-    """Of it at mesh frequency [-]."""
+    """At mesh frequency, of the same [-]."""
     safety: Annotated[float, Quantity("ratio"), Origin("S_D: Σ n/N(S_D K_t Δσ) = D", "Miner"), Endless()]
     """By which all loads may grow until the sum is the allowed one [-]."""
 
@@ -435,9 +440,11 @@ def counted(loaded: Loaded, duty: Duty, material: HousingMaterial) -> HousingSec
         for amplitude, often in zip(swing, rate * duty.time * duty.uses, strict=True)
         if amplitude > 0.0 and often > 0.0
     ]
-    curve = material.curve
-    sums = [miner_sum(curve, cycles) for cycles in (starts, changes, shaken)]
-    damage = sum(sums)
+    curve, every = material.curve, [*turned, *shaken]
+    safety = fatigue_safety(curve, every, spectrum=MINER)
+    grown = safety * BEYOND if math.isfinite(safety) else 1.0
+    sums = [miner_sum(curve, cycles, factor=grown) for cycles in (starts, changes, shaken)]
+    whole_sum = sum(sums)
     return HousingSection(
         part=loaded.part,
         section=loaded.section,
@@ -449,10 +456,10 @@ def counted(loaded: Loaded, duty: Duty, material: HousingMaterial) -> HousingSec
         changes=sum(one.number for one in changes),
         swing_range=max((one.range for one in shaken), default=0.0),
         swings=sum(one.number for one in shaken),
-        damage=damage,
-        start_share=round(sums[0] / damage, 6) if damage else 0.0,
-        swing_share=round(sums[2] / damage, 6) if damage else 0.0,
-        safety=fatigue_safety(curve, [*turned, *shaken], spectrum=MINER),
+        damage=miner_sum(curve, every, factor=1.0),
+        start_share=round(sums[0] / whole_sum, 6) if whole_sum else 0.0,
+        swing_share=round(sums[2] / whole_sum, 6) if whole_sum else 0.0,
+        safety=safety,
     )
 
 
@@ -547,7 +554,7 @@ class _Seated(NamedTuple):
 
 
 def _walls(sizing: Sizing, seated: _Seated, loading: SeatLoading) -> Iterator[Loaded]:
-    """Yield the wall in which a bearing stands: its shear, and what it would bear at least as a flat wall.
+    """Yield the wall in which a bearing stands: in its plane, and what it would bear at least as a flat wall.
 
     The flat wall has no ribs, is built in on a circle as large as the housing's largest section with the bearing in its
     middle, and stands at one end of the bearing. It is as thick as pads make it.
@@ -556,12 +563,12 @@ def _walls(sizing: Sizing, seated: _Seated, loading: SeatLoading) -> Iterator[Lo
     part, diameter, width, boss = seated
     wall = max(weighed_wall(sizing).thickness, _padded(sizing, part, diameter, material))
     edge = max(math.sqrt(shell.section / math.pi), EDGE * boss)
-    shear = seat_shear(1.0, diameter, wall) / material.shear_share
-    yield Loaded(part, "wall", loading.radial.times(shear), NOTCH)
+    pulled = seat_stress(1.0, boss, wall)
+    yield Loaded(part, "wall", loading.radial.times(pulled), PULLED)
     pushed_by, tilted_by = pushed_wall(1.0, boss, edge, wall), tilted_wall(0.5 * width, boss, edge, wall)
     steady = loading.radial.steady
-    size = np.hypot(shear * steady, pushed_by * loading.axial + tilted_by * np.abs(steady))
-    swing = math.hypot(shear, tilted_by) * loading.radial.swing
+    size = pushed_by * loading.axial + (pulled + tilted_by) * np.abs(steady)
+    swing = (pulled + tilted_by) * loading.radial.swing
     yield Loaded(part, FLAT, Loading(np.where(steady < 0.0, -size, size), swing, loading.radial.rate), NOTCH)
 
 
@@ -630,9 +637,11 @@ def housing_assumptions(sizing: Sizing, flight: Flight | None) -> Iterator[Assum
     yield Assumed("steady part", "force of a seat stands still in the housing", "starts, changes and meshes alternate")
     moves = "supports that move, else meshes" if sizing.design.supports else "meshes on rigid bearings"
     yield Assumed("vibration", moves, "forced response of each case, tones as if they met; mounts: none")
-    yield Assumed("fillets", f"K_t = {NOTCH:.2f}; of the shell {corner_concentration(1.0, FILLET):.2f}", "r = d/5, t/2")
+    corners = corner_concentration(1.0, FILLET)
+    fillets = f"K_t = {NOTCH:.2f} bent, {PULLED:.2f} pulled, {corners:.2f} corners of the shell"
+    yield Assumed("fillets", fillets, "r = d/5 where D = 2 d; corners t/2")
     lines = "-".join(f"{slope:g}" for slope in curve.slopes)
-    class_of = f"Δσ = {1e-6 * curve.strength:g} MPa at {curve.cycles:g}, slopes {lines}"
+    class_of = f"Δσ = {1e-6 * curve.strength:g} MPa at {curve.cycles:g}, slopes {lines}, none below 1e8 cycles"
     yield Assumed("casting", class_of, _CLAUSES[rules.material])
     yield Assumed("Miner's sum", f"{MINER:g} of many sizes to 1 of one", "Schönborn et al. 2015; FKM guideline")
     if rules.reaction == "lugs":

@@ -5,8 +5,8 @@ from gearwright.reviews import Review
 
 _TIRES = (
     "σ: nominal, of the largest steady load. Ranges have the notch in them: start and stop with what vibrates then,"
-    " changes from load to load, and vibration at mesh frequency. Shares: of Miner's sum, as loaded. A flat wall says"
-    " what a wall bears at least, without ribs."
+    " changes from load to load, and vibration at mesh frequency. Shares: of Miner's sum where it fails. Flat walls say"
+    " what walls bear at least, without ribs."
 )
 _UPKEEP = (
     "What has to come off first follows from where stages, shafts and machines stand; intervals are asked of none."
