@@ -114,7 +114,7 @@ def test_more_torque_or_more_life_never_makes_a_section_safer(more, longer):
 
 
 def test_a_longer_life_and_a_higher_application_factor_lower_reserves_of_a_design():
-    """Every section by load, the shell in proportion; by life those that starts tire, and none is safer."""
+    """Every section by load, at least in proportion; by life those that starts tire, and none is safer."""
     service = '[service]\nlife_h = 2000\napplication_factor = 1.25\n[gears]\nrating = "iso6336"\n[pairs.stage]'
     sizing = size(parse(PAIR.replace('level = "concept"\n', "").replace("[pairs.stage]", service)))
     before = safeties(sizing)
@@ -125,8 +125,9 @@ def test_a_longer_life_and_a_higher_application_factor_lower_reserves_of_a_desig
     assert older.keys() == harder.keys() == before.keys()
     assert all(older[one] <= before[one] for one in before)
     assert older["housing", "mount"] < before["housing", "mount"]
-    assert harder["housing", "shell"] == near(before["housing", "shell"] * 1.25 / 2.0)
-    assert all(harder[one] < before[one] for one in before)
+    loaded = [one for one in before if one[1] != "mount"]  # weight does not grow with K_A
+    assert all(harder[one] <= before[one] * 1.25 / 2.0 * (1.0 + 1e-9) for one in loaded)
+    assert harder["housing", "mount"] < before["housing", "mount"]
 
 
 def safeties(sizing):
