@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Annotated, NamedTuple
 
@@ -21,10 +21,12 @@ from gearwright.base import (
     PartId,
     Quantity,
     Ratio,
+    largest,
     not_assessed,
 )
 from gearwright.catalogue import HousingMaterial, housing_materials
 from gearwright.dynamics.vibration import SupportForce, row_swings, support_forces
+from gearwright.elementwise import Values
 from gearwright.mission.flight import Flight
 from gearwright.mission.gearbox import flown_airscrew
 from gearwright.mission.lives.bearings import held_shafts, located, thrust_on
@@ -51,7 +53,7 @@ from gearwright.shape.casings import CENTRE, DEPTH, LUGS, lug_width
 from gearwright.sizing import Sizing
 from gearwright.sizing.airscrew_loads import usual_thrust
 from gearwright.sizing.bearing_seats import Seat, bearing_seats, pushed
-from gearwright.sizing.casing import BOSS, Carried, housed, shell_of, web_shares
+from gearwright.sizing.casing import BOSS, PARALLEL, Carried, housed, shell_of, web_shares
 from gearwright.sizing.housing_shell import SEAT, section_across
 from gearwright.sizing.mass import (
     MOUNTS,
@@ -93,8 +95,6 @@ class Duty(NamedTuple):
     """Load case or phase of each."""
     uses: float
     """Cycles of use in the life [-]."""
-    known: bool
-    """Whether the design says how long a cycle of use lasts, or a flight does."""
 
 
 def duty_of_cases(sizing: Sizing) -> Duty:
@@ -107,7 +107,7 @@ def duty_of_cases(sizing: Sizing) -> Duty:
     mesh's force swings is that of the forced response in its case.
     """
     design, train = sizing.design, sizing.train
-    interval, known = _interval(sizing)
+    interval, _ = _interval(sizing)
     shares = shares_of(design) or {sizing.reference.case: 1.0}
     rows = list[tuple[str, float, float]]()
     for case in sizing.flows:
@@ -124,16 +124,7 @@ def duty_of_cases(sizing: Sizing) -> Duty:
         torques=loads[:, None]
         * np.array([[flow.meshes[mesh.name].torques[0] / mesh.count for mesh in train.meshes] for flow in flows]),
         swings=np.array([swings[case] for case, _, _ in rows]),
-        rates=np.array(
-            [
-                [
-                    abs(flow.speeds[mesh.nodes[0]] - flow.speeds[mesh.nodes[2]]) * sizing.teeth[mesh.gears[0]]
-                    for mesh in train.meshes
-                ]
-                for flow in flows
-            ]
-        )
-        / (2.0 * math.pi),
+        rates=np.array([_rates(sizing, flow.speeds.__getitem__) for flow in flows]),
         machines={
             name: loads * np.array([flow.machine_torques.get(name, 0.0) for flow in flows]) for name in train.machines
         },
@@ -144,8 +135,15 @@ def duty_of_cases(sizing: Sizing) -> Duty:
         time=np.array([time for _, _, time in rows]),
         names=tuple(case for case, _, _ in rows),
         uses=design.service.life / interval,
-        known=known,
     )
+
+
+def _rates(sizing: Sizing, speed: Callable[[str], Values]) -> list[Values]:
+    """Return the mesh frequency of each row of meshes [Hz]."""
+    return [
+        abs(speed(mesh.nodes[0]) - speed(mesh.nodes[2])) * (sizing.teeth[mesh.gears[0]] / (2.0 * math.pi))
+        for mesh in sizing.train.meshes
+    ]
 
 
 def _usual(sizing: Sizing, shaft: str) -> float:
@@ -191,10 +189,9 @@ def duty_of_flight(flight: Flight) -> Duty:
     What a mesh's force swings is that of the forced response in the case that speaks for the design, by the torque.
     """
     sizing = flight.sizing
-    meshes, count = sizing.train.meshes, len(flight.phase)
-    reference = sizing.reference
+    count, reference = len(flight.phase), sizing.reference
     swings, supports = _swings(sizing, (reference.case,))
-    torques = np.stack([flight.meshes[mesh.name].torque for mesh in meshes], axis=-1)
+    torques = np.stack([flight.meshes[mesh.name].torque for mesh in sizing.train.meshes], axis=-1)
     machines = {name: _quotient(history.power, history.speed) for name, history in flight.machines.items()}
     screw = flown_airscrew(sizing)
     speed = flight.speed(sizing.train.machines[screw])
@@ -203,14 +200,7 @@ def duty_of_flight(flight: Flight) -> Duty:
     return Duty(
         torques=torques,
         swings=np.tile(swings[reference.case], (count, 1)),
-        rates=np.stack(
-            [
-                np.abs(flight.speed(mesh.nodes[0]) - flight.speed(mesh.nodes[2])) * sizing.teeth[mesh.gears[0]]
-                for mesh in meshes
-            ],
-            axis=-1,
-        )
-        / (2.0 * math.pi),
+        rates=np.stack(_rates(sizing, flight.speed), axis=-1),
         machines={name: machines.get(name, np.zeros(count)) for name in sizing.train.machines},
         supports={
             shaft: force.swing * np.abs(machines[screw]) / rated for shaft, force in supports[reference.case].items()
@@ -219,7 +209,6 @@ def duty_of_flight(flight: Flight) -> Duty:
         time=flight.history.duration,
         names=flight.phase,
         uses=sizing.design.service.life / flight.duration,
-        known=True,
     )
 
 
@@ -464,13 +453,15 @@ def counted(loaded: Loaded, duty: Duty, material: HousingMaterial) -> HousingSec
 
 
 def _shell(sizing: Sizing, duty: Duty) -> Iterator[Loaded]:
-    """Yield the shell in torsion about each direction of machines' axes."""
+    """Yield the shell in torsion about that direction of machines' axes in which it is stressed most."""
     wall, material = weighed_wall(sizing).thickness, housing_materials()[sizing.design.housing.material]
-    notch = corner_concentration(wall, FILLET * wall)
+    found = list[Loading]()
     for way, _ in held_torques(sizing):
-        section = shell_of(sizing).section if abs(way.x) > 1.0 - 1e-6 else section_across(housed(sizing), way)
-        one = torque_loading(duty, torque_about(sizing, duty.machines, way))
-        yield Loaded(HOUSING, "shell", one.times(shell_stress(1.0, section, wall) / material.shear_share), notch)
+        section = shell_of(sizing).section if abs(way.x) > 1.0 - PARALLEL else section_across(housed(sizing), way)
+        held = torque_loading(duty, torque_about(sizing, duty.machines, way))
+        found.append(held.times(shell_stress(1.0, section, wall) / material.shear_share))
+    worst = largest(found, lambda one: float(np.abs(one.steady).max()))
+    yield Loaded(HOUSING, "shell", worst, corner_concentration(wall, FILLET * wall))
 
 
 def _at_seats(sizing: Sizing, duty: Duty) -> Iterator[Loaded]:
@@ -511,8 +502,8 @@ def _carried(sizing: Sizing, carried: Carried, loadings: Mapping[str, SeatLoadin
         outer = max(outer, collar.outer)
     units = _webs(sizing, carried)
     if units:
-        largest = float(np.abs(together.radial.steady).max()), float(together.axial.max())
-        worst = max(units, key=lambda unit: round(unit[0] * largest[0] + unit[1] * largest[1], 6))
+        most = float(np.abs(together.radial.steady).max()), float(together.axial.max())
+        worst = largest(units, lambda unit: unit[0] * most[0] + unit[1] * most[1])
         yield Loaded(part, "web", _both(together, worst), NOTCH)
     else:
         yield from _walls(sizing, _Seated(part, bearing.outer_diameter, bearing.width, outer), together)
@@ -586,7 +577,7 @@ def _mounts(sizing: Sizing, duty: Duty, mass: float) -> Iterator[Loaded]:
     """
     material, wall = housing_materials()[sizing.design.housing.material], weighed_wall(sizing).thickness
     ways = [torque_about(sizing, duty.machines, way) for way, _ in held_torques(sizing)]
-    torque = ways[int(np.argmax([np.abs(one).max() for one in ways]))]
+    torque = largest(ways, lambda one: float(np.abs(one).max()))
     loading = Loading(torque, np.zeros_like(torque), np.zeros_like(torque))
     if sizing.design.housing.reaction == "torque-arms":
         volume = torque_arm_volume(reaction_torque(sizing), material.bending_strength)
