@@ -67,6 +67,35 @@ def test_a_shell_bears_its_torque_by_hand():
     assert found.start_range == near(1.5 * found.stress + swing, rel=1e-9)
 
 
+def test_a_wall_and_its_flat_bound_by_hand():
+    """A shaft of spur gears: F/(2π a t) with D = 1.6 d and a = 0.62 D; F B/2 tilts it besides, B = D/5."""
+    sizing, found = sized("mixed-h2"), section("mixed-h2", "input.first", "wall")
+    shaft = next(shaft for shaft in sizing.shafts if shaft.name == "input")
+    wall, outside = weighed_wall(sizing).thickness, 1.6 * shaft.diameter
+    force = 1.25 * max(bearing.radial_force for bearing in shaft.bearings)
+    boss, pad = 0.62 * outside, force / 1.25 / (2.0 * outside * LIGHT.shear_strength)
+    thick = max(wall, pad)
+    pulled = force / (2.0 * math.pi * boss * thick)
+    assert found.stress == near(pulled, rel=1e-3)
+    edge = math.sqrt(shell_of(sizing).section / math.pi)
+    tilted = 3.0 * force * 0.1 * outside / (math.pi * boss * thick**2) * (edge**2 - boss**2) / (edge**2 + boss**2)
+    assert section("mixed-h2", "input.first", FLAT).stress == near(pulled + tilted, rel=1e-3)
+
+
+def test_lugs_and_torque_arms_by_hand():
+    """Four lugs, 0.6 w high and 0.5 w deep, of a tenth of the shell; arms of iron at 64 MPa, times K_A."""
+    sizing, found = sized("in-line-h2-star"), section("in-line-h2-star", "housing", "mount")
+    shell, torque = shell_of(sizing), 1.25 * max(abs(torque) for _, torque in held_torques(sizing))
+    volume = 0.1 * shell.area * weighed_wall(sizing).thickness
+    width = (volume / (4.0 * 0.5 * (0.6 + math.pi / 8.0 - math.pi / 4.0 * 0.35**2))) ** (1.0 / 3.0)
+    weight = 2.5 * 9.80665 * complete_mass(sizing).total
+    force = (torque / (shell.girth / (2.0 * math.pi) + 0.6 * width) + weight) / 4.0
+    assert found.stress == near(6.0 * force * 0.6 * width / (0.5 * width**3), rel=1e-9)
+    assert found.swing_range == 0.0
+    iron = housing_materials()["cast-iron"]
+    assert section("wind-turbine-5mw", "housing", "arm").stress == near(1.25 * iron.bending_strength, rel=1e-9)
+
+
 def test_starts_are_the_life_over_what_the_cases_last_together_or_over_the_stated_hours():
     """EC120B's cases with durations last an hour together; a design without durations has one start an hour."""
     durations = [case.duration for case in sized("ec120b").design.cases.values() if not case.static]
