@@ -12,6 +12,7 @@ from gearwright.base import (
     BEYOND_SIZING,
     GEARBOX,
     Check,
+    DesignError,
     Kind,
     PartId,
     Shown,
@@ -28,6 +29,16 @@ from gearwright.dynamics.assembly import untold_orders
 from gearwright.dynamics.sharing import sharing_checks
 from gearwright.dynamics.vibration import SpeedCase, motion_checks
 from gearwright.mission import Durability, Flight, durability, flight_checks, fly
+from gearwright.mission.lives import (
+    Assumed,
+    HousingSection,
+    Upkeep,
+    housing_assumptions,
+    housing_checks,
+    housing_sections,
+    upkeep_checks,
+    upkeep_of,
+)
 from gearwright.sizing import MeshSizing, Named, Sizing, size, tips_in_fillets, total_results
 from gearwright.sizing.arrangement import envelope
 from gearwright.sizing.bearing_seats import planet_bodies
@@ -79,8 +90,8 @@ def open_checks(sizing: Sizing, looked_at: Iterable[Check], *, flown: bool) -> I
             why = "needs place_mm of every step, and two bearings or more; until then its whole force acts in one place"
             yield not_assessed(body.part, "moment that tilts a stepped planet", "statics", why)
     yield from _shared_axes(sizing, built)
-    why = "weighed as a shell with what is on it; its strength and stiffness, and what heat does to clearances,"
-    yield not_assessed(GEARBOX, "housing", "", f"{why} are not assessed")
+    why = "weighed as a shell with what is on it, and held against fatigue; its stiffness, yield under limit loads,"
+    yield not_assessed(GEARBOX, "housing", "", f"{why} and what heat does to clearances, are not assessed")
 
 
 def _shared_axes(sizing: Sizing, built: set[str]) -> Iterator[Check]:
@@ -163,6 +174,12 @@ class Review(Shown):
     """What real gearboxes of its power and speeds weigh, and how the sum of its parts stands to them."""
     unneeded: tuple[str, ...] = ()
     """Waivers of what passes."""
+    housing: tuple[HousingSection, ...] = ()
+    """What tires the housing, section by section, the least safe first."""
+    housing_assumed: tuple[Assumed, ...] = ()
+    """What that rests on."""
+    upkeep: tuple[Upkeep, ...] = ()
+    """Maintenance, the shortest interval first."""
 
     @property
     def worst(self) -> Check | None:
@@ -231,10 +248,15 @@ def review_of(
     design = sizing.design
     checks = [*sizing.checks, *built_checks(sizing), *sharing_checks(sizing), *motion_checks(sizing, speeds)]
     if flight is not None:
-        checks += flight_checks(flight, lives or durability(flight), life=life)
+        lives = lives or durability(flight)
+        checks += flight_checks(flight, lives, life=life)
+    complete = complete_mass(sizing)
+    sections, why = _sections(sizing, flight, complete)
+    upkeep = upkeep_of(sizing, flight, lives)
+    checks += upkeep_checks(sizing, upkeep)
+    checks += housing_checks(sizing, sections, mission="" if flight is None else flight.mission.name, why=why)
     checks += open_checks(sizing, tuple(checks), flown=flight is not None)
     refuse(unknown_waivers(checks, design.waivers, left=BEYOND_SIZING if flight is None else ()))
-    complete = complete_mass(sizing)
     return Review(
         design=design.name,
         mission=flight.mission.name if flight is not None else "",
@@ -243,7 +265,18 @@ def review_of(
         complete=complete,
         statistics=statistics_beside(sizing, complete),
         unneeded=unneeded(checks, design.waivers),
+        housing=sections,
+        housing_assumed=tuple(housing_assumptions(sizing, flight)) if sections else (),
+        upkeep=upkeep,
     )
+
+
+def _sections(sizing: Sizing, flight: Flight | None, complete: CompleteMass) -> tuple[tuple[HousingSection, ...], str]:
+    """Return what tires the housing, or why that is not known."""
+    try:
+        return housing_sections(sizing, flight, complete.total), ""
+    except DesignError as error:  # nothing takes a force along a shaft
+        return (), "; ".join(problem.message for problem in error.problems)
 
 
 def _masses(complete: CompleteMass) -> dict[str, Named]:

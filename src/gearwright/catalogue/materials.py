@@ -9,9 +9,10 @@ from functools import cache, lru_cache
 from types import MappingProxyType
 from typing import Any
 
-from gearwright.base import SUFFIXES, Density, DesignError, Length, Problem, Stress, near
+from gearwright.base import SUFFIXES, Density, DesignError, Length, Problem, Ratio, Stress, near
 from gearwright.catalogue.tables import data_rows, data_text
 from gearwright.parts import LifeLine, Material
+from gearwright.parts.housing_fatigue import CastCurve
 from gearwright.parts.housings import CAST_SAFETY, CastingRule
 from gearwright.parts.iso6336 import (
     GearSteel,
@@ -290,6 +291,8 @@ class HousingMaterial:
     """Largest normal stress that it bears so [Pa]."""
     casting: CastingRule
     """How thick its walls are poured."""
+    curve: CastCurve
+    """What castings of it bear of ranges of normal stress, again and again."""
     source: str
     """Of the numbers, and which are estimates."""
 
@@ -302,6 +305,11 @@ class HousingMaterial:
     def bending_strength(self) -> Stress:
         """Working normal stress: what it bears for ever over 3.5 [Pa]."""
         return self.bending_fatigue / CAST_SAFETY
+
+    @property
+    def shear_share(self) -> Ratio:
+        """Shear stress over the normal stress that tires it as much [-]."""
+        return self.shear_fatigue / self.bending_fatigue
 
     @property
     def least_wall(self) -> Length:
@@ -323,5 +331,11 @@ def _material(row: Mapping[str, str]) -> HousingMaterial:
         float(row["shear_fatigue_mpa"]) * _MPA,
         float(row["bending_fatigue_mpa"]) * _MPA,
         CastingRule(float(row["wall_base_mm"]) * 1e-3, float(row["wall_slope"]), *wall),
+        CastCurve(
+            float(row["fatigue_class_mpa"]) * _MPA,
+            float(row["class_cycles"]),
+            (float(row["slope"]), float(row["second_slope"])),
+            float(row["knee_cycles"]),
+        ),
         row["source"],
     )

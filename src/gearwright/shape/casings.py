@@ -491,7 +491,7 @@ def lugs_on(
         rods: What leaves the housing.
     """
     gaps = largest_first(gaps_of(chambers, joints), lambda gap: length_of(chambers[gap.chamber].outer))
-    long = DEPTH * _width(volume)
+    long = DEPTH * lug_width(volume)
     roomy = [gap for gap in gaps if gap.end - gap.start >= long]
     for gap in (*roomy, *largest_first(gaps, lambda gap: gap.end - gap.start)):
         for shift in range(SHIFTS):
@@ -501,8 +501,12 @@ def lugs_on(
     return ()
 
 
-def _width(volume: float) -> float:
-    """Return the width of lugs on a flat wall [m]."""
+def lug_width(volume: float) -> float:
+    """Return the width of lugs on a flat wall [m].
+
+    Args:
+        volume: Of all of them [m³].
+    """
     return float((volume / (LUGS * DEPTH * (CENTRE + math.pi / 8.0 - math.pi / 4.0 * BOLT**2))) ** (1.0 / 3.0))
 
 
@@ -517,7 +521,7 @@ def _lugs(chamber: Chamber, gap: Gap, volume: float, shift: float) -> tuple[Lug,
         return tuple(Lug(foot, (middle - half, middle + half), width, _outline(chamber.outer, foot, width))
                      for foot in feet)  # fmt: skip
 
-    width = _width(volume)
+    width = lug_width(volume)
     for _ in range(STEPS):
         found = all_of(width)
         share = volume / sum(map(_volume, found))

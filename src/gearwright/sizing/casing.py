@@ -488,16 +488,42 @@ def _thickness(webs: Sequence[Web], forces: tuple[float, float], stress: float, 
         stress: Permissible [Pa].
         least: Length at which one is taken at least, as short webs do not bear all [m].
     """
-    if len(webs) < 2:
+    shares = web_shares(webs, forces, least)
+    if shares is None:
         return math.inf
+    width = webs[0].width
+    return float(np.max(shares.pulls / width + 6.0 * shares.moments / width**2) / stress)
+
+
+class WebShares(NamedTuple):
+    """What each web of one boss bears, shape (webs,)."""
+
+    pulls: Floats
+    """Along it, whichever way the radial force acts [N]."""
+    moments: Floats
+    """At both of its ends, by the axial force [N m]."""
+
+
+def web_shares(webs: Sequence[Web], forces: tuple[float, float], least: float) -> WebShares | None:
+    """Return what webs bear of the forces on their boss; None where they hold a force one way only.
+
+    Args:
+        webs: Of one boss, of equal width.
+        forces: Radial and axial [N].
+        least: Length at which one is taken at least, as short webs do not bear all [m].
+
+    Source: `carried_bosses`.
+    """
+    if len(webs) < 2:
+        return None
     lengths = np.maximum([web.length for web in webs], least)
-    ways, width = np.array([web.way for web in webs]), webs[0].width
+    ways = np.array([web.way for web in webs])
     stiffness = np.einsum("i,ij,ik->jk", 1.0 / lengths, ways, ways) + np.outer(webs[0].along, webs[0].along)
     if np.linalg.cond(stiffness) > 1e6:
-        return math.inf
+        return None
     pulled = np.linalg.norm(np.linalg.solve(stiffness, ways.T), axis=0) / lengths * forces[0]
     bent = forces[1] * lengths**-3 / np.sum(lengths**-3) * lengths / 2.0
-    return float(np.max(pulled / width + 6.0 * bent / width**2) / stress)
+    return WebShares(np.asarray(pulled), np.asarray(bent))
 
 
 # ----------------------------------------------------------------------------------------------------------------------

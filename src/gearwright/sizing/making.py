@@ -305,7 +305,7 @@ def withdrawals(sizing: Sizing) -> tuple[tuple[Withdrawn, ...], tuple[str, ...]]
     left, out = [shaft.name for shaft in sizing.built_shafts], list[Withdrawn]()
     while left:
         ways = (Withdrawn(shaft, way) for shaft in left for way in ENDS)
-        free = next((step for step in ways if _leaves(sizing, step, left)), None)
+        free = next((step for step in ways if leaves_past(sizing, step, left)), None)
         if free is None:
             break
         out.append(free)
@@ -313,8 +313,14 @@ def withdrawals(sizing: Sizing) -> tuple[tuple[Withdrawn, ...], tuple[str, ...]]
     return tuple(out), tuple(left)
 
 
-def _leaves(sizing: Sizing, step: Withdrawn, left: Sequence[str]) -> bool:
-    """Tell whether a shaft can be drawn out by one of its ends past the others that are left."""
+def leaves_past(sizing: Sizing, step: Withdrawn, left: Sequence[str]) -> bool:
+    """Tell whether a shaft can be drawn out by one of its ends past the others that are left.
+
+    Args:
+        sizing: As sized.
+        step: Which one, by which end.
+        left: Built shafts that are still in.
+    """
     bodies = sizing.arrangement.bodies
     inside = [body for body in bodies if body.shaft in left and body.shaft != step.shaft]
     shaft = next(shaft for shaft in sizing.built_shafts if shaft.name == step.shaft)

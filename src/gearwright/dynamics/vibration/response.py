@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import cmath
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import gcd, lcm
+from typing import NamedTuple
 
 import numpy as np
 
@@ -17,6 +19,8 @@ from gearwright.base import (
     Force,
     Frequency,
     Ints,
+    Kind,
+    PartId,
     Problem,
     Row,
     Shown,
@@ -340,6 +344,67 @@ def forced_factors(sizing: Sizing, case: str) -> dict[str, float]:
         if places:
             factors[mesh.name] = max(1.0 + float(swing[place] / mean[place]) for place in places)
     return factors
+
+
+@one_blas_thread()
+def row_swings(sizing: Sizing, case: str) -> dict[str, float]:
+    """Return by how much the sum of the forces of every mesh row swings over its mean [-], of rows that bear load.
+
+    What planets do one after the other cancels in what they do together: a ring, and with it the housing, feels less
+    than a tooth. The amplitudes of all tones are added up, as if they met.
+
+    Args:
+        sizing: As sized.
+        case: Load case.
+
+    Source: as `forced_factors`: Σ_tones |Σ_planets F|/Σ_planets |F_mean|, with the phases of planets.
+    """
+    system = assemble(sizing, case)
+    mean, forces = statics(system, balance="accelerate").force, _line_forces(system)
+    meshes = np.array([kind == "mesh" for kind in system.labels.line_kinds])
+    least = UNLOADED * float(np.max(np.abs(mean)[meshes], initial=0.0))
+    found = {}
+    for mesh in sizing.meshes:
+        places = [place for place in system.labels.places_of(mesh.part) if abs(mean[place]) > least]
+        if places:
+            together = np.abs(forces[:, places] @ np.sign(mean[places])).sum()
+            found[mesh.name] = float(together / np.abs(mean[places]).sum())
+    return found
+
+
+class SupportForce(NamedTuple):
+    """What the bearings of one shaft give to the housing together, across the shaft."""
+
+    mean: float
+    """[N]"""
+    swing: float
+    """Amplitude, all tones added up as if they met [N]."""
+
+
+@one_blas_thread()
+def support_forces(sizing: Sizing, case: str) -> dict[str, SupportForce]:
+    """Return shaft -> what its bearings give to the housing in a load case; of shafts that the design lets move.
+
+    Args:
+        sizing: As sized.
+        case: Load case.
+
+    Source: as `forced_factors`, of the lines of supports: f = k q + c q̇ of each direction.
+    """
+    if not sizing.design.supports:
+        return {}
+    system = assemble(sizing, case)
+    mean, swing = statics(system, balance="accelerate").force, np.abs(_line_forces(system)).sum(axis=0)
+    found = {}
+    for shaft in sizing.design.supports:
+        places = [
+            place
+            for place in system.labels.places_of(PartId(Kind.SHAFT, shaft))
+            if system.labels.line_kinds[place] == "support" and system.labels.line_units[place] == "m"
+        ]
+        across = [place for place in places if system.labels.line_owners[place].what in ("y", "z")] or places
+        found[shaft] = SupportForce(math.hypot(*mean[across]), math.hypot(*swing[across]))
+    return found
 
 
 def _line_forces(system: System) -> Complexes:

@@ -16,6 +16,13 @@ from gearwright.mission.lives.damage import (
     shaft_spectrum,
     unrated_stages,
 )
+from gearwright.mission.lives.housing import (
+    Assumed,
+    HousingSection,
+    housing_assumptions,
+    housing_checks,
+    housing_sections,
+)
 from gearwright.mission.lives.life import (
     ENDLESS,
     Durability,
@@ -31,10 +38,12 @@ from gearwright.mission.lives.life import (
     size_for_life,
 )
 from gearwright.mission.lives.measured import DutySpectrum, MeasuredDuty, duty_spectrum, read_duty, torque_cycles
+from gearwright.mission.lives.upkeep import Upkeep, upkeep_checks, upkeep_of
 
 __all__ = [
     "ENDLESS",
     "USUAL_RELIABILITY",
+    "Assumed",
     "BearingDamage",
     "BearingLives",
     "Durability",
@@ -42,11 +51,13 @@ __all__ = [
     "DutySpectrum",
     "FlownMix",
     "GearDamage",
+    "HousingSection",
     "LifeSizing",
     "LoadLife",
     "MeasuredDuty",
     "MixedLife",
     "PartLife",
+    "Upkeep",
     "bearing_lives",
     "bearing_spectra",
     "bearings_of",
@@ -56,6 +67,9 @@ __all__ = [
     "fly_mix",
     "gear_damage",
     "gear_damages",
+    "housing_assumptions",
+    "housing_checks",
+    "housing_sections",
     "load_lives",
     "mesh_spectrum",
     "mixed_life",
@@ -65,4 +79,6 @@ __all__ = [
     "size_for_life",
     "torque_cycles",
     "unrated_stages",
+    "upkeep_checks",
+    "upkeep_of",
 ]

@@ -45,6 +45,7 @@ from gearwright.parts.bearings import (
     taper_factors,
 )
 from gearwright.parts.losses import oil_viscosity
+from gearwright.sizing import Sizing
 from gearwright.sizing.airscrew_loads import usual_thrust
 from gearwright.sizing.arrangement import axial_forces
 from gearwright.sizing.bearing_seats import Seat, bearing_seats, seat_forces
@@ -107,7 +108,7 @@ def seat_duties(flight: Flight) -> tuple[tuple[Seat, SeatDuty], ...]:
     forces = {name: seat_forces(seat, torques, flight.speed(seat.carrier)) for name, seat in seats.items()}
     axial = {name: np.zeros_like(radial) for name, (radial, _) in forces.items()}
     missing: dict[str, str] = {}
-    for shaft, on_shaft in _held(seats).items():
+    for shaft, on_shaft in held_shafts(seats).items():
         try:
             axial |= _located(flight, shaft, on_shaft, forces)
         except DesignError as error:  # a flight's thrust that sizing did not know
@@ -128,9 +129,9 @@ def thrust_notes(flight: Flight) -> Iterator[ThrustNote]:
     Args:
         flight: As flown.
     """
-    held = _held({seat.name: seat for seat in bearing_seats(flight.sizing)})
+    held = held_shafts({seat.name: seat for seat in bearing_seats(flight.sizing)})
     for shaft in dict.fromkeys(screw.shaft for screw in flight.sizing.design.airscrews.values()):
-        thrust, seats = float(np.abs(_thrust(flight, shaft)).max()), held.get(shaft, {})
+        thrust, seats = float(np.abs(thrust_on(flight, shaft)).max()), held.get(shaft, {})
         if not thrust or any(seat.given is not None for seat in seats.values()):
             continue
         usual = f"that of {' and '.join(seats)} which bears less across is taken to bear it"
@@ -142,8 +143,12 @@ def thrust_notes(flight: Flight) -> Iterator[ThrustNote]:
         )
 
 
-def _held(seats: Mapping[str, Seat]) -> dict[str, dict[str, Seat]]:
-    """Return shaft -> the seats that hold it in the housing, by their names."""
+def held_shafts(seats: Mapping[str, Seat]) -> dict[str, dict[str, Seat]]:
+    """Return shaft -> the seats that hold it in the housing, by their names.
+
+    Args:
+        seats: By their names.
+    """
     held: dict[str, dict[str, Seat]] = {}
     for name, seat in seats.items():
         if seat.holds_shaft:
@@ -164,9 +169,29 @@ def _located(
     flight: Flight, shaft: str, seats: Mapping[str, Seat], forces: Mapping[str, tuple[Floats, Floats]]
 ) -> dict[str, Floats]:
     """Return the axial force in every bearing of one shaft, without sign."""
+    return located(flight.sizing, shaft, seats, forces, thrust=thrust_on(flight, shaft), cases=flight.phase)
+
+
+def located(
+    sizing: Sizing, shaft: str, seats: Mapping[str, Seat], forces: Mapping[str, tuple[Floats, Floats]],
+    *, thrust: Floats, cases: tuple[str, ...],
+) -> dict[str, Floats]:  # fmt: skip
+    """Return the axial force in every bearing of one shaft under many loads, without sign [N].
+
+    Args:
+        sizing: As sized.
+        shaft: Its name.
+        seats: That hold it, by their names.
+        forces: Seat -> radial force on it, and the meshes' force along its shaft, shape (n,) [N].
+        thrust: Of a propeller or rotor on it, shape (n,) [N].
+        cases: What each load is called.
+
+    Raises:
+        DesignError: If nothing takes a force along the shaft.
+    """
     radial = {name: forces[name][0] for name in seats}
     first = next(iter(seats))
-    along = forces[first][1] + seats[first].rotor_side * _thrust(flight, shaft)
+    along = forces[first][1] + seats[first].rotor_side * thrust
     along = np.where(np.abs(along) > _ROUNDING * max(float(force.max()) for force in radial.values()), along, 0.0)
     located_by_design = {name: seat.given for name, seat in seats.items() if seat.given is not None}
     if located_by_design:
@@ -175,15 +200,20 @@ def _located(
             located_by_design,
             along,
             radial=radial,
-            factors=_taper_factors(flight, located_by_design),
-            cases=flight.phase,
+            factors=_taper_factors(sizing, located_by_design),
+            cases=cases,
         )
     lightest_loaded = smallest(radial, lambda name: float(radial[name].mean()))
     return {name: np.abs(along) if name == lightest_loaded else np.zeros_like(along) for name in seats}
 
 
-def _thrust(flight: Flight, shaft: str) -> Floats:
-    """Return the thrust on a shaft, of what flies by the map where there is one, else as the design says [N]."""
+def thrust_on(flight: Flight, shaft: str) -> Floats:
+    """Return the thrust on a shaft, of what flies by the map where there is one, else as the design says [N].
+
+    Args:
+        flight: As flown.
+        shaft: Its name.
+    """
     screws = {name: screw for name, screw in flight.sizing.design.airscrews.items() if screw.shaft == shaft}
     if flight.history.thrust is not None and flown_airscrew(flight.sizing) in screws:
         return flight.history.thrust
@@ -192,8 +222,8 @@ def _thrust(flight: Flight, shaft: str) -> Floats:
     return np.full(len(flight.phase), thrust)
 
 
-def _taper_factors(flight: Flight, names: Iterable[str]) -> dict[str, LoadFactors]:
-    sized = (seat for seat in flight.sizing.bearings if seat.name in names)
+def _taper_factors(sizing: Sizing, names: Iterable[str]) -> dict[str, LoadFactors]:
+    sized = (seat for seat in sizing.bearings if seat.name in names)
     geometries = {seat.name: seat.bearing.geometry for seat in sized}
     return {
         name: taper_factors(inside.contact_angle)

@@ -18,6 +18,7 @@ from gearwright.closure import (
     Unmet,
     Variants,
 )
+from gearwright.mission.lives import Assumed, HousingSection, Upkeep
 from gearwright.render.answers.schema import named
 from gearwright.render.tables.arranged import (
     ArrangedBearing,
@@ -95,6 +96,12 @@ class ReviewAnswer:
     """The worst first."""
     unneeded_waivers: tuple[str, ...]
     """Waivers of what passes."""
+    housing: tuple[HousingSection, ...]
+    """What tires the housing, section by section, the least safe first."""
+    housing_assumed: tuple[Assumed, ...]
+    """What that rests on."""
+    upkeep: tuple[Upkeep, ...]
+    """Maintenance, the shortest interval first."""
 
 
 def review_answer(review: Review) -> ReviewAnswer:
@@ -114,6 +121,9 @@ def review_answer(review: Review) -> ReviewAnswer:
         statistics=review.statistics,
         checks=tuple(reviewed_check(check) for check in review.checks),
         unneeded_waivers=tuple(review.unneeded),
+        housing=review.housing,
+        housing_assumed=review.housing_assumed,
+        upkeep=review.upkeep,
     )
 
 

@@ -65,6 +65,7 @@ from gearwright.render.tables.checks import (
     usual_table,
 )
 from gearwright.render.tables.dynamics import dynamic_table, energy_table, mode_table, motion_tables
+from gearwright.render.tables.housing import housing_tables
 from gearwright.render.tables.sizing import flow_tables, mass_sentence, motor_rows, passing_table, path_table, tables_of
 from gearwright.render.words.design_file import entries
 from gearwright.render.words.sizing import unneeded_text
@@ -614,6 +615,7 @@ def _sections(review: Review) -> tuple[Section, ...]:
         Section("Requirement by requirement", tables=(met_table(review.checks),)),
         Section("Kilograms", (groups, parts), (_areas(review),), notes=(mass_sentence(mass, review.statistics),)),
         Section("Orders and natural frequencies", tables=(order_table(review.checks),)),
+        Section("Housing and maintenance", tables=housing_tables(review)),
         Section("Waived by the design", tables=(waived_table(review.checks),), notes=waived),
         Section("Not assessed, and why", tables=(open_table(review.checks),)),
     )

@@ -14,6 +14,7 @@ from gearwright.dynamics.vibration import SpeedCase, dynamic_loads
 from gearwright.particulars import Particulars
 from gearwright.render.tables.arranged import arranged_tables, unborne, unforced
 from gearwright.render.tables.checks import check_sentence, review_tables
+from gearwright.render.tables.housing import housing_tables
 from gearwright.render.tables.sizing import mass_sentence
 from gearwright.render.tables.weights import complete_words, train_mass
 from gearwright.render.terminal import Grid
@@ -37,7 +38,8 @@ def review_text(review: Review) -> RenderableType:
     weighs = f"Complete mass: {mass_sentence(review.complete, review.statistics)}"
     head = [Text(f"{review.design}{flown}", style="bold"), Text(f"{headline(review)}."), Text(weighs), Text()]
     parts: list[RenderableType] = [*head]
-    parts += [table_text(table) for table in review_tables(review.checks) if table.rows]
+    tables = (*review_tables(review.checks), *housing_tables(review))
+    parts += [table_text(table) for table in tables if table.rows]
     return Group(*parts, *map(Text, notes))
 
 

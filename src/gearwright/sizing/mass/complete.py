@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from gearwright.base import Role, largest_first, verb
+import numpy as np
+
+from gearwright.base import Floats, Role, largest_first, verb
 from gearwright.catalogue import STEEL_DENSITY, STEEL_SHARE, HousingMaterial, housing_materials
 from gearwright.memo import of_latest
 from gearwright.parts.bearings import BearingKind
@@ -220,6 +222,22 @@ def held_torques(sizing: Sizing) -> tuple[tuple[Direction, float], ...]:
             parts = [torque for other, torque in about if abs(_cosine(way, other)) > 1.0 - ALONG]
             found.append((way, max(abs(sum(parts)), *map(abs, parts))))
     return tuple(found)
+
+
+def torque_about(sizing: Sizing, torques: Mapping[str, Floats], way: Direction) -> Floats:
+    """Return what the housing holds about a direction under many loads, with its sign [N m].
+
+    Args:
+        sizing: As sized.
+        torques: Machine -> torque on its shaft under each load, shape (n,) [N m].
+        way: One of `held_torques`.
+
+    Source: equilibrium of the whole; at least the largest machine, as `held_torques`.
+    """
+    shafts, frames = sizing.train.machines, sizing.arrangement.frames
+    own = [value for name, value in torques.items() if abs(_cosine(way, frames[shafts[name]].along)) > 1.0 - ALONG]
+    rows = np.stack([np.sum(own, axis=0), *own])
+    return np.asarray(np.take_along_axis(rows, np.argmax(np.abs(rows), axis=0)[None], axis=0)[0])
 
 
 def _cosine(one: Direction, other: Direction) -> float:

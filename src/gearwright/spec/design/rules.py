@@ -836,6 +836,18 @@ class HousingRules(Record):
         "lugs",
         description="What holds its torque: lugs on the wall; torque-arms: arms and a shrink disc, weighed apart",
     )
+    fatigue_safety: Ratio = Field(
+        1.35, ge=1, le=5, description="Minimum safety of the housing's shell, walls, webs and mounts against fatigue"
+    )
+    start_interval: Time | None = Field(
+        None,
+        gt=0,
+        description="From start to start; left out: what all load cases last together, where they have durations, else"
+        " an hour",
+    )
+    overhaul_interval: Time | None = Field(
+        None, gt=0, description="Asked of all for which the housing is opened; left out: none, intervals are told alone"
+    )
     mass: Mass | None = Field(
         None, gt=0, description="Of the housing, as weighed; left out: shell, ribs, flanges, bosses"
     )
