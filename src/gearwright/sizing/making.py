@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.base import GEARBOX, Check, Kind, PartId, Role, not_assessed
-from gearwright.parts.planetary import BRIDGE, bridge_thickness
+from gearwright.parts.carriers import BRIDGE, bridge_thickness
 from gearwright.sizing.casing import boss_bodies, cover_bodies, ring_seats
 from gearwright.sizing.gear_geometry import cylindrical_gear
 from gearwright.sizing.housing_shell import ball_around

@@ -8,7 +8,7 @@ from functools import cache
 import pytest
 
 from gearwright.checks import Status
-from gearwright.parts.planetary import eye_wall, pin_diameter, pin_mass, plate_mass
+from gearwright.parts.carriers import eye_wall, pin_diameter, pin_mass, plate_mass
 from gearwright.shipped import shipped_design
 from gearwright.sizing import Sizing, size
 from gearwright.spec import at_level, parse, read

@@ -21,6 +21,7 @@ from gearwright.catalogue import (
 )
 from gearwright.parts.bearings import BearingKind
 from gearwright.parts.bevel_geometry import WEB, BevelPair, bevel_dishes, bevel_volume, lightened_web
+from gearwright.parts.carriers import BESIDE, BRIDGE
 from gearwright.parts.gears import (
     Blank,
     SeatHub,
@@ -31,7 +32,6 @@ from gearwright.parts.gears import (
     outline_area,
     revolved_volume,
 )
-from gearwright.parts.planetary import BESIDE, BRIDGE
 from gearwright.sizing.bearing_seats import PlanetBody, Seat, bearing_seats, planet_bodies, seat_forces
 from gearwright.sizing.casing import ring_seats
 from gearwright.sizing.gear_geometry import (

@@ -25,7 +25,7 @@ from gearwright.base import (
     text,
 )
 from gearwright.parts import Material
-from gearwright.parts.planetary import (
+from gearwright.parts.carriers import (
     BESIDE,
     BRIDGE,
     PIN_BORE,
