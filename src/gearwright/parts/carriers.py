@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.base import Floats
+from gearwright.elementwise import Values
 
 # ----------------------------------------------------------------------------------------------------------------------
 # First sizing of a planet carrier: cantilever pins in bending, a plate that carries the torque.
@@ -249,3 +250,292 @@ def first_carrier_mass(
     section = np.where(chord > 0.0, 1.0 - PIN_BORE**2, 1.0) * math.pi / 4.0 * pin**2
     posts = planets * face_width * (section + bridge)
     return np.asarray(plate.density * (posts + discs))
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Tilt of planets under torque: a plate lags behind the other by the bridges between them, and carries the pins' ends.
+#
+# Torque enters at one plate. Half of the force of every pin goes into the other, free plate and from there through the
+# bridges to the first: bridges bend and shear, built in at plates that bend and twist between them, and all pins lean.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+SHEAR = 5.0 / 6.0
+"""Shear coefficient κ of rectangular sections [-]."""
+ROUND_SHEAR = 0.9
+"""Shear coefficient κ of round sections [-]."""
+
+
+class Elastic(NamedTuple):
+    """Moduli of what carriers are made of."""
+
+    young: float
+    """E [Pa]."""
+    shear: float
+    """G [Pa]."""
+
+
+class Frame(NamedTuple):
+    """Two plates with bridges between neighbouring planets; numbers, or arrays of candidates."""
+
+    planets: int
+    """And bridges, N [-]."""
+    pins: float
+    """Radius of the circle of pins r [m]."""
+    length: float
+    """Between both plates L [m]."""
+    width: Values
+    """Of a bridge, around the axis w [m]."""
+    depth: Values
+    """Of a bridge, away from the axis h [m]."""
+    radius: Values
+    """Of the middle of a bridge r_b [m]."""
+    plate: Values
+    """Thickness t of either plate [m]."""
+    band: Values
+    """Of either plate, away from the axis, as a ring around the circle of pins c [m]."""
+
+
+def torsion_section(wide: Values, thick: Values) -> Floats:
+    """Return the torsion constant of a rectangle [m⁴].
+
+    Args:
+        wide: One side [m].
+        thick: The other [m].
+
+    Source: Roark, J = a b³ (1/3 − 0.21 b/a (1 − b⁴/(12 a⁴))), a ≥ b; within 4 % of Saint-Venant's series.
+
+    >>> round(float(torsion_section(1.0, 1.0)), 4)
+    0.1408
+    """
+    a, b = np.maximum(wide, thick), np.minimum(wide, thick)
+    return np.asarray(a * b**3 * (1.0 / 3.0 - 0.21 * b / a * (1.0 - b**4 / (12.0 * a**4))))
+
+
+def plate_lag(force: float, frame: Frame, moduli: Elastic) -> Floats:
+    """Return how far the free plate lags behind the other on the circle of pins [m].
+
+    Args:
+        force: Of one planet on its pin around the axis F [N].
+        frame: Plates and bridges.
+        moduli: Of their material.
+
+    Returns:
+        r² (F/2)/(r_b²/c + G J/L): bridges that bend and shear with c = L³/(12 E I) + L/(κ G A) + L²/(2 K), and twist; K
+        of a plate that a bridge turns, 12 E I_p ℓ²/(ℓ_c³ (1 + Φ)) cos²(π/N) + 4 G J_p/ℓ_c sin²(π/N).
+
+    Source: slope-deflection (Timoshenko), bridges with both ends in plates that shift by each other; plates as straight
+        beams from bridge to bridge, ℓ = 2 r_b sin(π/N), rigid within bridges, ℓ_c = ℓ − w.
+
+    Valid for: pins that turn freely in both plates and so do not stiffen them; N ≥ 3; in-plane bending of plates, which
+        moves both alike, left out. Against frames of beams: `tests/verification/test_carrier_twist.py`.
+    """
+    young, shear = moduli
+    w, h, t, c = frame.width, frame.depth, frame.plate, frame.band
+    area, inertia = w * h, h * w**3 / 12.0
+    span = 2.0 * frame.radius * math.sin(math.pi / frame.planets)
+    clear = np.maximum(span - w, 1e-3 * span)
+    bent, twisted = c * t**3 / 12.0, torsion_section(c, t)
+    stubby = 12.0 * young * bent / (SHEAR * shear * c * t * clear**2)
+    across, along = math.cos(math.pi / frame.planets) ** 2, math.sin(math.pi / frame.planets) ** 2
+    plate = 12.0 * young * bent * span**2 / (clear**3 * (1.0 + stubby)) * across + 4.0 * shear * twisted / clear * along
+    length = frame.length
+    own = length**3 / (12.0 * young * inertia) + length / (SHEAR * shear * area)
+    shifts = frame.radius**2 / (own + length**2 / (2.0 * plate))
+    return np.asarray(frame.pins**2 * force / 2.0 / (shifts + shear * torsion_section(w, h) / length))
+
+
+def lag_tilt(lag: Values, length: float, plate: Values) -> Values:
+    """Return the tilt of planets on pins that two plates hold [rad].
+
+    Args:
+        lag: From `plate_lag` [m].
+        length: Between both plates [m].
+        plate: Thickness of either, in whose middle the pin is held [m].
+
+    Source: geometry; a pin's own bending is alike on both sides of the middle of its planet and tilts it by nothing.
+
+    >>> round(1e6 * lag_tilt(60e-6, 0.5, 0.1))
+    100
+    """
+    return lag / (length + plate)
+
+
+def cantilever_tilt(force: float, width: float, diameter: float, moduli: Elastic, *, bore: float = 0.0) -> float:
+    """Return the mean tilt of a planet on a cantilever pin [rad].
+
+    Args:
+        force: Of the planet on its pin around the axis, spread over its width F [N].
+        width: Of the planet b [m].
+        diameter: Of the pin [m].
+        moduli: Of the pin.
+        bore: Of a hollow pin [m].
+
+    Returns:
+        F b²/(8 E I) + F/(2 κ G A), the deflection of the pin's end over b.
+
+    Source: cantilever under a uniform load, any text.
+
+    Valid for: a pin that is built into a rigid plate.
+
+    >>> round(1e6 * cantilever_tilt(20e3, 0.04, 0.025, Elastic(206e9, 79e9)))
+    1299
+    """
+    inertia, area = math.pi / 64.0 * (diameter**4 - bore**4), math.pi / 4.0 * (diameter**2 - bore**2)
+    return force * width**2 / (8.0 * moduli.young * inertia) + force / (2.0 * ROUND_SHEAR * moduli.shear * area)
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Plates and bridges that keep planets straight: the lightest of some hundred that do.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+class Window(NamedTuple):
+    """Room for bridges and plates of a set."""
+
+    planets: int
+    """N [-]."""
+    pins: float
+    """Radius of the circle of pins [m]."""
+    tip: float
+    """Radius of the tips of a planet, with the room beside it [m]."""
+    inner: float
+    """Radius of the sun's tips, with the room beside it [m]."""
+    outer: float
+    """Largest radius of plates and bridges: through the ring [m]."""
+    length: float
+    """Between both plates [m]."""
+
+
+class Asked(NamedTuple):
+    """What plates and bridges have to bear, and the least of them that is strong enough."""
+
+    force: float
+    """Of one planet on its pin around the axis [N]."""
+    tilt: float
+    """Of planets, at most [rad]."""
+    plates: tuple[float, float]
+    """Least thickness, of the plate at the shaft and of the free one [m]."""
+    reach: float
+    """Least radius of plates [m]."""
+    bending: float
+    """Stress of bridges, at most [Pa]."""
+    fill: float
+    """Share of plates that is not cut out [-]."""
+
+
+class Stiff(NamedTuple):
+    """Plates and bridges that were found."""
+
+    plates: tuple[float, float]
+    """Thickness of the plate at the shaft and of the free one [m]."""
+    reach: float
+    """Radius of plates [m]."""
+    width: float
+    """Of a bridge, around the axis [m]."""
+    depth: float
+    """Of a bridge, away from the axis [m]."""
+    radius: float
+    """Of the middle of a bridge [m]."""
+    tilt: float
+    """Of planets [rad]."""
+    volume: float
+    """Of plates and bridges together [m³]."""
+
+
+WIDTHS = (0.25, 0.4, 0.55, 0.7, 0.85, 1.0)
+"""Widths of bridges that are looked at, over what planets leave there [-]."""
+_REACHES, _STARTS, _HALVINGS = 5, 9, 24
+LEAST_DEPTH = 0.25
+"""Of bridges over their width, at least [-]: shallower ones are shells and no beams."""
+THICKEST_PLATE = 1.0
+"""Plate over the distance between both, at most [-]: beyond, no plate keeps planets straight."""
+
+
+def plate_band(reach: Values, fill: float) -> Values:
+    """Return the width of a plate as a ring whose outside is the plate's and which has as much metal [m].
+
+    Args:
+        reach: Radius of the plate [m].
+        fill: Share of it that is not cut out [-].
+
+    Source: geometry, π (R² − R_i²) = fill π R².
+
+    >>> round(plate_band(1.0, 0.75), 3)
+    0.5
+    """
+    return reach * (1.0 - math.sqrt(1.0 - fill))
+
+
+def stiff_frame(window: Window, asked: Asked, moduli: Elastic) -> Stiff | None:
+    """Return the lightest plates and bridges that are strong and keep planets straight; the stiffest if none do.
+
+    Bridges stand on the chord between neighbouring pins, or farther out, where planets leave more; planets go in between
+    them along the radius. Plates are as thick as the tilt asks, both by as much, and as large as bridges or their eyes.
+
+    Args:
+        window: Room for them.
+        asked: What they bear.
+        moduli: Of their material.
+
+    Returns:
+        None where planets leave no bridge that is strong enough.
+
+    Source: `plate_lag`; bridges as `bridge_thickness`.
+    """
+    room = _candidates(window, asked)
+    force = asked.force * window.pins / (2.0 * room.radius)
+    deep = room.depth >= np.maximum(LEAST_DEPTH * room.width, 1e-3 * window.tip)
+    strong = deep & (room.width**2 * room.depth * asked.bending >= 3.0 * force * window.length)
+    if not strong.any():
+        return None
+    room = _Room(*(column[strong] for column in room))
+    least, most = max(asked.plates), THICKEST_PLATE * window.length
+    low, high = np.full(room.width.shape, asked.plates[1]), np.full(room.width.shape, max(most, least))
+    straight = _tilt(window, asked, moduli, room, low) <= asked.tilt
+    high = np.where(straight, low, high)
+    for _ in range(_HALVINGS):
+        middle = (low + high) / 2.0
+        fits = _tilt(window, asked, moduli, room, middle) <= asked.tilt
+        low, high = np.where(fits, low, middle), np.where(fits, middle, high)
+    tilts, first = _tilt(window, asked, moduli, room, high), np.maximum(high, asked.plates[0])
+    volume = window.planets * room.width * room.depth * window.length
+    volume = volume + math.pi * asked.fill * room.reach**2 * (first + high)
+    kept = tilts <= asked.tilt * (1.0 + 1e-9)
+    best = int(np.argmin(np.where(kept, volume, np.inf))) if kept.any() else int(np.argmin(tilts))
+    sizes = (float(column[best]) for column in (room.reach, room.width, room.depth, room.radius, tilts, volume))
+    return Stiff((float(first[best]), float(high[best])), *sizes)
+
+
+class _Room(NamedTuple):
+    """Bridges with the plates that hold them, one a row."""
+
+    reach: Floats
+    width: Floats
+    depth: Floats
+    radius: Floats
+
+
+def _candidates(window: Window, asked: Asked) -> _Room:
+    """Return bridges on the chord between pins and farther out, with plates as large as they ask."""
+    half, middle = (turn(math.pi / window.planets) * window.pins for turn in (math.sin, math.cos))
+    reaches = np.linspace(min(asked.reach, window.outer), window.outer, _REACHES)
+    deep = BRIDGE * window.tip
+    starts = np.linspace(middle, max(window.outer, middle), _STARTS)[:-1]
+    reach, start, part = (grid.ravel() for grid in np.meshgrid(reaches, starts, np.array(WIDTHS), indexing="ij"))
+    gap = half - np.sqrt(np.maximum(window.tip**2 - (start - middle) ** 2, 0.0))
+    path = (start * math.sin(math.pi / window.planets) - window.tip) / math.cos(math.pi / window.planets)
+    gap = np.where(start > middle, np.minimum(gap, np.maximum(path, half - window.tip)), gap)
+    width = np.maximum(2.0 * part * gap, 0.0)
+    inner = np.where(start > middle, start, max(middle - deep, window.inner))
+    outer = np.sqrt(np.maximum(reach**2 - width**2 / 4.0, 0.0))
+    outer = np.where(start > middle, outer, np.minimum(outer, middle + deep))
+    return _Room(reach, width, outer - inner, (outer + inner) / 2.0)
+
+
+def _tilt(window: Window, asked: Asked, moduli: Elastic, room: _Room, plate: Floats) -> Floats:
+    frame = Frame(
+        window.planets, window.pins, window.length, room.width, room.depth, room.radius, plate,
+        plate_band(room.reach, asked.fill),
+    )  # fmt: skip
+    return np.asarray(lag_tilt(plate_lag(asked.force, frame, moduli), window.length, plate))
