@@ -312,6 +312,35 @@ def torsion_section(wide: Values, thick: Values) -> Floats:
     return np.asarray(a * b**3 * (1.0 / 3.0 - 0.21 * b / a * (1.0 - b**4 / (12.0 * a**4))))
 
 
+def plate_stiffness(
+    planets: int, radius: Values, rigid: Values, *, plate: Values, band: Values, moduli: Elastic
+) -> Floats:
+    """Return the moment about the radius that turns a plate by a radian at each of equal places on a circle [N m/rad].
+
+    Args:
+        planets: Number of places N [-].
+        radius: Of their circle [m].
+        rigid: Width around the axis of what stands there and does not bend w [m].
+        plate: Thickness t [m].
+        band: Of the plate as a ring, away from the axis c [m].
+        moduli: Of the plate.
+
+    Returns:
+        12 E I ℓ²/(ℓ_c³ (1 + Φ)) cos²(π/N) + 4 G J/ℓ_c sin²(π/N), with ℓ = 2 r sin(π/N), ℓ_c = ℓ − w.
+
+    Source: slope-deflection of Timoshenko beams, straight from place to place, of which both ends turn alike.
+
+    Valid for: N ≥ 3, moments that are alike at all places.
+    """
+    span = 2.0 * radius * math.sin(math.pi / planets)
+    clear = np.maximum(span - rigid, 1e-3 * span)
+    bent, twisted = band * plate**3 / 12.0, torsion_section(band, plate)
+    stubby = 12.0 * moduli.young * bent / (SHEAR * moduli.shear * band * plate * clear**2)
+    across, along = math.cos(math.pi / planets) ** 2, math.sin(math.pi / planets) ** 2
+    bends = 12.0 * moduli.young * bent * span**2 / (clear**3 * (1.0 + stubby))
+    return np.asarray(bends * across + 4.0 * moduli.shear * twisted / clear * along)
+
+
 def plate_lag(force: float, frame: Frame, moduli: Elastic) -> Floats:
     """Return how far the free plate lags behind the other on the circle of pins [m].
 
@@ -322,26 +351,21 @@ def plate_lag(force: float, frame: Frame, moduli: Elastic) -> Floats:
 
     Returns:
         r² (F/2)/(r_b²/c + G J/L): bridges that bend and shear with c = L³/(12 E I) + L/(κ G A) + L²/(2 K), and twist; K
-        of a plate that a bridge turns, 12 E I_p ℓ²/(ℓ_c³ (1 + Φ)) cos²(π/N) + 4 G J_p/ℓ_c sin²(π/N).
+        from `plate_stiffness`.
 
-    Source: slope-deflection (Timoshenko), bridges with both ends in plates that shift by each other; plates as straight
-        beams from bridge to bridge, ℓ = 2 r_b sin(π/N), rigid within bridges, ℓ_c = ℓ − w.
+    Source: slope-deflection (Timoshenko), bridges with both ends in plates that turn and shift by each other.
 
     Valid for: pins that turn freely in both plates and so do not stiffen them; N ≥ 3; in-plane bending of plates, which
         moves both alike, left out. Against frames of beams: `tests/verification/test_carrier_twist.py`.
     """
     young, shear = moduli
-    w, h, t, c = frame.width, frame.depth, frame.plate, frame.band
+    w, h, length = frame.width, frame.depth, frame.length
     area, inertia = w * h, h * w**3 / 12.0
-    span = 2.0 * frame.radius * math.sin(math.pi / frame.planets)
-    clear = np.maximum(span - w, 1e-3 * span)
-    bent, twisted = c * t**3 / 12.0, torsion_section(c, t)
-    stubby = 12.0 * young * bent / (SHEAR * shear * c * t * clear**2)
-    across, along = math.cos(math.pi / frame.planets) ** 2, math.sin(math.pi / frame.planets) ** 2
-    plate = 12.0 * young * bent * span**2 / (clear**3 * (1.0 + stubby)) * across + 4.0 * shear * twisted / clear * along
-    length = frame.length
+    turns = plate_stiffness(
+        frame.planets, frame.radius, w, plate=frame.plate, band=frame.band, moduli=moduli
+    )  # fmt: skip
     own = length**3 / (12.0 * young * inertia) + length / (SHEAR * shear * area)
-    shifts = frame.radius**2 / (own + length**2 / (2.0 * plate))
+    shifts = frame.radius**2 / (own + length**2 / (2.0 * turns))
     return np.asarray(frame.pins**2 * force / 2.0 / (shifts + shear * torsion_section(w, h) / length))
 
 
@@ -383,6 +407,23 @@ def cantilever_tilt(force: float, width: float, diameter: float, moduli: Elastic
     """
     inertia, area = math.pi / 64.0 * (diameter**4 - bore**4), math.pi / 4.0 * (diameter**2 - bore**2)
     return force * width**2 / (8.0 * moduli.young * inertia) + force / (2.0 * ROUND_SHEAR * moduli.shear * area)
+
+
+def clamped_pressure(force: float, width: float, diameter: float, plate: Values) -> Values:
+    """Return the largest pressure of a cantilever pin in the hole of its plate [Pa].
+
+    Args:
+        force: Of one planet on its pin, at the middle of its width F [N].
+        width: Of the planet b [m].
+        diameter: Of the pin d [m].
+        plate: Thickness t [m].
+
+    Source: equilibrium, linear along the hole: F/(d t) + 6 F (b + t)/2/(d t²).
+
+    >>> round(clamped_pressure(20e3, 0.04, 0.04, 0.02) / 1e6)
+    250
+    """
+    return force / (diameter * plate) + 3.0 * force * (width + plate) / (diameter * plate**2)
 
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -432,7 +473,7 @@ class Stiff(NamedTuple):
     reach: float
     """Radius of plates [m]."""
     width: float
-    """Of a bridge, around the axis [m]."""
+    """Of a bridge, around the axis; 0 where planets leave none that is strong enough [m]."""
     depth: float
     """Of a bridge, away from the axis [m]."""
     radius: float
@@ -467,19 +508,16 @@ def plate_band(reach: Values, fill: float) -> Values:
     return reach * (1.0 - math.sqrt(1.0 - fill))
 
 
-def stiff_frame(window: Window, asked: Asked, moduli: Elastic) -> Stiff | None:
+def stiff_frame(window: Window, asked: Asked, moduli: Elastic) -> Stiff:
     """Return the lightest plates and bridges that are strong and keep planets straight; the stiffest if none do.
 
-    Bridges stand on the chord between neighbouring pins, or farther out, where planets leave more; planets go in between
-    them along the radius. Plates are as thick as the tilt asks, both by as much, and as large as bridges or their eyes.
+    Bridges stand on the chord between neighbouring pins, or farther out, where planets leave more; planets go in
+    between them along the radius. Plates are as thick as the tilt asks, and as large as bridges or their eyes.
 
     Args:
         window: Room for them.
         asked: What they bear.
         moduli: Of their material.
-
-    Returns:
-        None where planets leave no bridge that is strong enough.
 
     Source: `plate_lag`; bridges as `bridge_thickness`.
     """
@@ -488,7 +526,7 @@ def stiff_frame(window: Window, asked: Asked, moduli: Elastic) -> Stiff | None:
     deep = room.depth >= np.maximum(LEAST_DEPTH * room.width, 1e-3 * window.tip)
     strong = deep & (room.width**2 * room.depth * asked.bending >= 3.0 * force * window.length)
     if not strong.any():
-        return None
+        return Stiff(asked.plates, asked.reach, 0.0, 0.0, 0.0, math.inf, 0.0)
     room = _Room(*(column[strong] for column in room))
     least, most = max(asked.plates), THICKEST_PLATE * window.length
     low, high = np.full(room.width.shape, asked.plates[1]), np.full(room.width.shape, max(most, least))

@@ -32,7 +32,7 @@ from gearwright.sizing.shafts import (
     retentions,
     seal_checks,
 )
-from gearwright.sizing.shafts.shafts import THROUGH
+from gearwright.sizing.shafts.carriers import THROUGH
 from gearwright.spec import GROUND, Design
 
 # ----------------------------------------------------------------------------------------------------------------------
