@@ -33,7 +33,7 @@ from gearwright.weights import laws as willis, mass_afdd00, refit, scores
 
 _HEAD = """schema = 1
 name = "{name}"
-level = "concept"
+level = "{level}"
 """
 _WIND = """shafts = ["main", "second", "third", "fast"]
 [rotors.blades]
@@ -79,13 +79,15 @@ material = "cast-iron"
 rings = "bolted"
 reaction = "torque-arms"
 oil_system = "shared"
-"""
+[layout]
+{places}"""
 _SET = """
 [planetaries.{name}]
 sun = "{sun}"
 ring = "ground"
 carrier = "{carrier}"
 planets = {planets}
+planet_bearing = {{ kind = "integral", side_by_side = 2 }}
 {own}"""
 _PAIR = """
 [pairs.{name}]
@@ -125,6 +127,9 @@ planets = 5
 [planetaries.star.planet_bearing]
 kind = "plain"
 largest_pressure_mpa = 14
+least_film_um = 5
+[carriers]
+torque_at = "middle"
 [gears]
 material = "Pyrowear-53"
 rating = "iso6336"
@@ -133,6 +138,7 @@ mesh_load_factor = 1.1
 pitting_safety = 1.0
 bending_safety = 1.2
 tolerance_class = 4
+flank_roughness_um = 1.2
 standard_modules = false
 [shafting]
 bore_ratio = 0.8
@@ -176,6 +182,13 @@ oil_system = "shared"
 """
 
 
+_BETWEEN = (
+    {"main": 544.0, "second": 734.0, "third": 595.0},
+    {"main": 544.0, "second": 640.0},
+)
+"""Lengths of shafts [mm] over the cube root of the torque [MN m]: of two sets and a pair, of a set and two pairs."""
+
+
 def design_of(gearbox: PublishedGearbox) -> Design:
     """Return a published gearbox as a design.
 
@@ -193,6 +206,11 @@ def design_of(gearbox: PublishedGearbox) -> Design:
         (_HEAD + form).format(
             name=gearbox.name, power=gearbox.power / 1e3, slow=slow, fast=slow * gearbox.ratio, stages=stages,
             end=600.0 * size, middle=250.0 * size, bearing=90.0 * size,
+            level="concept" if gearbox.kind == "propeller-pair" else "preliminary",
+            places="".join(
+                f"{shaft}.length_mm = {length * size!r}\n"
+                for shaft, length in _BETWEEN[gearbox.kind == "wind-small"].items()
+            ),
         )
     )  # fmt: skip
 

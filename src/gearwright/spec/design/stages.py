@@ -102,7 +102,7 @@ class CarrierRules(Record):
         " in the middle of its bridges, as a torque frame does",
     )
     largest_misalignment: Length | None = Field(
-        None, gt=0, le=1e-2, description="Of planets' teeth over their face by the carrier's twist and pins that bend,"
+        None, ge=1e-8, le=1e-3, description="Of planets' teeth over their face by the carrier's twist and pins that bend,"
         " what helix correction takes left out, above level concept; left out: half of f_Hβ",
     )  # fmt: skip
 
