@@ -102,8 +102,8 @@ class CarrierRules(Record):
         " in the middle of its bridges, as a torque frame does",
     )
     largest_misalignment: Length | None = Field(
-        None, ge=1e-8, le=1e-3, description="Of planets' teeth over their face by the carrier's twist and pins that bend,"
-        " what helix correction takes left out, above level concept; left out: half of f_Hβ",
+        None, ge=1e-8, le=1e-3, description="Of planets' teeth over their face by the carrier's twist and pins that"
+        " bend, what helix correction takes left out, above level concept; left out: half of f_Hβ",
     )  # fmt: skip
 
 
