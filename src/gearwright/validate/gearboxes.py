@@ -25,8 +25,8 @@ from gearwright.weights import laws as willis, mass_afdd00, refit, scores
 # rated load (WindPACT). Which stages a catalogue's gearbox has is not published: below 1 MW one planetary set and two
 # helical pairs, as the 750 kW gearbox of the Gearbox Reliability Collaborative; above two sets and a pair, as the 5
 # MW reference gearbox. WindPACT's have one set and two pairs. Planets turn on two rows of rollers on their pins. Faces
-# are 20 modules at least: of the one whose teeth are published, SIMPACK's, they are 17.5 to 21.7. Masses are dry: no oil
-# is in them. All are sized at level preliminary, where carriers keep planets straight.
+# are 20 modules at least: of the one whose teeth are published, SIMPACK's, they are 17.5 to 21.7. Masses are dry: no
+# oil is in them. All are sized at level preliminary, where carriers keep planets straight.
 #
 # The fan drive's planets turn on films of 5 µm at least. What is published of such bearings is their eccentricity E at
 # take-off with oil of T °C: 0.69 + 0.0015 T < E < 0.94 + 0.00033 T, better above 0.84 + 0.00083 T (claims of "Gearboxes
