@@ -139,6 +139,8 @@ largest_pressure_mpa = 14
 least_film_um = 5
 [carriers]
 torque_at = "middle"
+[teeth]
+sized = 3
 [gears]
 material = "Pyrowear-53"
 rating = "iso6336"
