@@ -14,6 +14,7 @@ from gearwright.parts.carriers import (
     PIN_BORE,
     Asked,
     Elastic,
+    Frame,
     Stiff,
     Window,
     cantilever_tilt,
@@ -21,11 +22,13 @@ from gearwright.parts.carriers import (
     eye_stress,
     eye_wall,
     hole_pressure,
+    lag_tilt,
     pin_bore,
     pin_diameter,
     pin_mass,
     pin_stress,
     plate_band,
+    plate_lag,
     plate_mass,
     plate_shear_stress,
     plate_stiffness,
@@ -202,12 +205,16 @@ def _of_two_plates(
     if not frame.width > 0.0:
         return None
     found = _sized(context, name, pins, loads, asked=shared, room=room, frame=frame)
+    free = found.free_plate or found.plate_thickness
+    sizes = (frame.width, frame.depth, frame.radius)
+    own = Frame(asked.equal, found.radius, planet.face_width, *sizes, free, plate_band(found.reach, rules.fill))
+    lag = float(plate_lag(force, own, _moduli(material))) if factor else 0.0
     return replace(
         found,
         bridge_width=frame.width,
         bridge_depth=frame.depth,
         bridge_radius=frame.radius,
-        misalignment=factor * planet.face_width * frame.tilt if factor else 0.0,
+        misalignment=factor * planet.face_width * lag_tilt(lag, planet.face_width, free),
         largest_misalignment=allowed,
     )
 
