@@ -198,9 +198,9 @@ _BETWEEN = {
     "wind-small": {
         "main.length": 544.0,
         "second.length": 640.0,
-        "third.length": 435.0,
-        'third.places."last.wheel".position': 70.0,
-        'third.places."middle.pinion".position': 320.0,
+        "third.length": 480.0,
+        'third.places."last.wheel".position': 80.0,
+        'third.places."middle.pinion".position': 350.0,
     },
 }
 """Lengths and places along shafts [mm] over the cube root of the torque [MN m]. Of two sets and a pair they are those
