@@ -91,17 +91,15 @@ def size_carriers(
         context: What sizing reads.
         gears: From `size_gears`.
         shafts: From `size_shafts`.
-        two_sided: Sets with a plate on both sides.
+        two_sided: Sets with a plate on both sides, as their shaft goes on behind both.
         roomy: Sets with room for a second plate beyond their planets; it shares the force where bridges tie it, but
             at level concept, where pins are cantilevers in one plate, as the thesis has them.
     """
     by_name = {gear.name: gear for gear in gears}
     diameters = {shaft.name: shaft.diameter for shaft in shafts}
-    beyond = set[str]() if context.design.level == CONCEPT else {*two_sided, *roomy}
-    simple = [_carrier(context, name, by_name, diameters, beyond=name in beyond) for name in context.design.planetaries]
-    compound = [
-        _compound(context, name, by_name, diameters, beyond=name in beyond) for name in context.design.epicyclics
-    ]
+    room = {} if context.design.level == CONCEPT else {**dict.fromkeys(roomy, 1), **dict.fromkeys(two_sided, 2)}
+    simple = [_carrier(context, name, by_name, diameters, room.get(name, 0)) for name in context.design.planetaries]
+    compound = [_compound(context, name, by_name, diameters, room.get(name, 0)) for name in context.design.epicyclics]
     return tuple(
         _twice(context, carrier) if carrier.stage in two_sided and carrier.free_plate is None else carrier
         for carrier in (*simple, *compound)
@@ -122,7 +120,7 @@ def _twice(context: Context, carrier: CarrierSizing) -> CarrierSizing:
 
 
 def _carrier(
-    context: Context, name: str, gears: Mapping[str, GearSizing], diameters: Mapping[str, float], *, beyond: bool
+    context: Context, name: str, gears: Mapping[str, GearSizing], diameters: Mapping[str, float], beyond: int
 ) -> CarrierSizing:
     """Return the carrier of a simple set, with two plates where a second one has room and bridges can tie it."""
     planet, radius = gears[str(gear_part(name, Role.PLANET))], pin_circle(context, name, gears)
@@ -135,7 +133,7 @@ def _carrier(
 
 
 def _compound(
-    context: Context, name: str, gears: Mapping[str, GearSizing], diameters: Mapping[str, float], *, beyond: bool
+    context: Context, name: str, gears: Mapping[str, GearSizing], diameters: Mapping[str, float], beyond: int
 ) -> CarrierSizing:
     """Return the carrier of a compound set, with two plates as a simple one where it has one planet in a row."""
     stage, own = context.design.epicyclics[name], {gear.own: gear for gear in gears.values() if gear.stage == name}
@@ -151,11 +149,12 @@ def _compound(
 
 def _lighter(
     context: Context, name: str, pins: Mapping[str, _Pins], loads: Sequence[PinLoad], *, asked: _CarrierDuty,
-    gears: Mapping[str, GearSizing], planet: GearSizing | None, beyond: bool,
+    gears: Mapping[str, GearSizing], planet: GearSizing | None, beyond: int,
 ) -> CarrierSizing:  # fmt: skip
     """Return the lighter carrier of one plate and of two with bridges that keeps planets straight.
 
-    Where the design says how many plates, that; where neither keeps planets straight, the one that tilts them less.
+    Where the design says how many plates, that; where its shaft goes on behind a second one, two; where neither keeps
+    planets straight, the one that tilts them less.
     """
     rules, room = context.design.carriers, _room(context, name, gears)
     one = _sized(context, name, pins, loads, asked=asked, room=room)
@@ -166,7 +165,7 @@ def _lighter(
     if not beyond or asked.equal < 2:
         return one
     two = _of_two_plates(context, name, pins, loads, asked=asked, gears=gears, planet=planet, allowed=allowed)
-    if two is None or rules.plates == 2:
+    if two is None or rules.plates == 2 or beyond > 1:
         return two or one
     stiff = Stiff((_clamping(context, planet, one, asked.equal, allowed), 0.0), one.reach, 0.0, 0.0, 0.0, 0.0, 0.0)
     one = _sized(context, name, pins, loads, asked=asked, room=room, frame=stiff)
