@@ -68,6 +68,10 @@ class _Pins(NamedTuple):
     """Mass of inner rings on one [kg]."""
 
 
+NO_FRAME = Stiff((0.0, 0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+"""What asks a carrier for no stiffness."""
+
+
 class _CarrierDuty(NamedTuple):
     """What a carrier has to bear, and on what."""
 
@@ -315,7 +319,7 @@ def _sized(
     *,
     asked: _CarrierDuty,
     room: float,
-    frame: Stiff | None = None,
+    frame: Stiff = NO_FRAME,
 ) -> CarrierSizing:
     """Return a carrier with equal pins, as strong as the one that is loaded most needs; as stiff as a frame."""
     rules, given, shaft = context.design.carriers, context.given, context.design.sets[name].carrier
@@ -325,9 +329,7 @@ def _sized(
     length, outermost = pins[worst.body].length, max(equal.radius for equal in pins.values())
     lever, shared = worst.lever, asked.plates > 1
     if shared:
-        held = rules.plate_ratio * length / 2.0
-        lever = shared_lever(length, held if frame is None else max(held, frame.plates[1]))
-        pulled = pulled / 2.0
+        pulled, lever = pulled / 2.0, shared_lever(length, max(rules.plate_ratio * length / 2.0, frame.plates[1]))
     needed = pin_diameter(worst.pin, lever, allowable)
     hollow = needed / math.cbrt(1.0 - PIN_BORE**4) if shared else needed
     pin = given.get(f"{name}.pin_diameter", max(hollow, pins[worst.body].seat))
@@ -338,24 +340,18 @@ def _sized(
     thinnest = max(rules.plate_ratio * length / asked.plates, pulled / (pin * allowable))
     if room > 0.0:  # where the ring leaves less metal outside the pins, plates are thicker
         thinnest = max(thinnest, pulled / (room * allowable))
-    thickness = given.get(f"{name}.plate_thickness", _thickness(thinnest, torque, hub, allowable=allowable))
-    least = min(thinnest, thickness) if shared else thickness
-    if frame is not None:
-        thickness = given.get(f"{name}.plate_thickness", max(thickness, frame.plates[0]))
-        least = max(least, frame.plates[1]) if shared else thickness
-    wall = eye_wall(pulled, least, allowable / 2.0, needed=needed)
-    if frame is not None:
-        wall = max(wall, frame.reach - outermost - pin / 2.0)
+    thickness = max(_thickness(thinnest, torque, hub, allowable=allowable), frame.plates[0])
+    thickness = given.get(f"{name}.plate_thickness", thickness)
+    least = max(min(thinnest, thickness), frame.plates[1]) if shared else thickness
+    wall = max(eye_wall(pulled, least, allowable / 2.0, needed=needed), frame.reach - outermost - pin / 2.0)
     wall = given.get(f"{name}.eye_wall", room if 0.0 < room < wall else wall)
     bending = pin_stress(worst.pin, lever, pin, bore=bore)
     shear = plate_shear_stress(torque, hub, thickness) if hub else 0.0
     torn, pressed = eye_stress(pulled, least, wall), hole_pressure(pulled, pin, least)
-    count = asked.equal
-    masses = {body: count * pin_mass(pin, equal.length, material.density, bore=bore) for body, equal in pins.items()}
     reach = outermost + pin / 2.0 + wall
     together = thickness + least if shared else thickness
     plate = plate_mass(reach, together, material.density, fill=rules.fill)
-    about = sum((mass + count * pins[body].rings) * pins[body].radius ** 2 for body, mass in masses.items())
+    held, about = _pins_mass(pins, asked.equal, (pin, bore), material.density)
     part = carrier_part(name)
     return CarrierSizing(
         stage=name,
@@ -380,10 +376,20 @@ def _sized(
         hole_pressure=pressed,
         hole_margin=allowable / pressed if pressed else math.inf,
         reach=reach,
-        mass=given.get(f"{part}.mass", sum(masses.values()) + plate),
+        mass=given.get(f"{part}.mass", held + plate),
         inertia=given.get(f"{part}.inertia", about + plate * reach**2 / 2.0),
         free_plate=least if shared else None,
     )
+
+
+def _pins_mass(
+    pins: Mapping[str, _Pins], count: int, diameters: tuple[float, float], density: float
+) -> tuple[float, float]:
+    """Return the mass of all pins [kg], and their inertia about the carrier's axis with the rings on them [kg m²]."""
+    pin, bore = diameters
+    masses = {body: count * pin_mass(pin, equal.length, density, bore=bore) for body, equal in pins.items()}
+    about = sum((mass + count * pins[body].rings) * pins[body].radius ** 2 for body, mass in masses.items())
+    return sum(masses.values()), about
 
 
 def _carrier_torques(context: Context, name: str) -> list[float]:
