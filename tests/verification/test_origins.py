@@ -12,6 +12,14 @@ import pytest
 
 from gearwright.identity import Role
 from gearwright.particulars import particulars
+from gearwright.parts.carriers import (
+    Elastic,
+    Frame,
+    cantilever_tilt,
+    plate_band,
+    plate_lag,
+    plate_stiffness,
+)
 from gearwright.parts.gears import lewis_form_factor, virtual_teeth, working_pressure_angle
 from gearwright.render.tables.checks import factor_tables
 from gearwright.render.tables.sizing import tables_of
@@ -470,7 +478,7 @@ def eye_of(sizing, carrier, solid):
     tear = allowable(sizing, sizing.design.carriers) / 2.0
     force, plate = share_of(carrier)
     wall = max(force / (2.0 * plate * tear), 0.25 * solid)
-    return wall, force / (2.0 * wall * plate)
+    return wall, force / (2.0 * carrier.eye_wall * plate)
 
 
 def share_of(carrier):
@@ -487,7 +495,7 @@ def of_carriers(sizing, carrier):
     length, mass, seat = loaded_pin(sizing, carrier)
     shared, d = carrier.free_plate is not None, carrier.pin_diameter
     ratio = rules.plate_ratio / (2.0 if shared else 1.0)
-    arm = carrier.pin_force * (length * (1.0 + 2.0 * ratio) / 8.0 if shared else length / 2.0)
+    arm = carrier.pin_force * ((length + 2.0 * carrier.free_plate) / 8.0 if shared else length / 2.0)
     hub = next((shaft.diameter for shaft in sizing.shafts if shaft.name == carrier.shaft), 0.0)
     shear = 2.0 * carrier.torque / (math.pi * hub**2 * carrier.plate_thickness) if hub else 0.0
     force, plate = share_of(carrier)
@@ -518,9 +526,41 @@ def of_carriers(sizing, carrier):
         "p = F / (d_p t), of two plates F/2": force / (d * plate),
         "R_p0.2 / S over the pressure": over(allowable(sizing, rules), carrier.hole_pressure),
         "R_p0.2 / (2 S) over τ": over(allowable(sizing, rules) / 2.0, torn),
-        OUTSIDE: carrier.radius + d / 2.0 + wall,
+        OUTSIDE: carrier.radius + d / 2.0 + carrier.eye_wall,
         "R_p0.2 / (2 S) over the stress": over(allowable(sizing, rules) / 2.0, shear) if shear else None,
+        **straight(sizing, carrier),
     }
+
+
+def straight(sizing, carrier):
+    """Return equation -> value for how straight a carrier keeps its planets; None of one at level concept."""
+    if carrier.misalignment is None:
+        return {"F_βx = 1.33 B_1 b × tilt": None, "half of f_Hβ": None}
+    planet = next(gear for gear in sizing.gears if (gear.stage, gear.role) == (carrier.stage, Role.PLANET))
+    steel, b = sizing.design.shaft_material, planet.face_width
+    moduli, force = Elastic(steel.elastic_modulus, steel.shear_modulus), carrier.tangential_force
+    band = plate_band(carrier.reach, sizing.design.carriers.fill)
+    if carrier.bridge_width is not None:
+        frame = Frame(
+            planet.bodies, carrier.radius, b, carrier.bridge_width, carrier.bridge_depth, carrier.bridge_radius,
+            carrier.free_plate, band,
+        )  # fmt: skip
+        tilt = float(plate_lag(force, frame, moduli)) / (b + carrier.free_plate)
+    else:
+        pin, plate = carrier.pin_diameter, carrier.plate_thickness
+        turns = plate_stiffness(planet.bodies, carrier.radius, pin, plate=plate, band=band, moduli=moduli)
+        tilt = cantilever_tilt(force, b, pin, moduli, bore=carrier.pin_bore or 0.0)
+        tilt += force * (b + plate) / 2.0 / float(turns)
+    slope = (0.05 * math.sqrt(1e3 * planet.pitch_diameter) + 0.35 * math.sqrt(1e3 * b) + 4.0) * 1e-6
+    mesh = next(mesh for mesh in sizing.meshes if mesh.stage == carrier.stage)
+    grade = 4 if mesh.pitch_line_velocity > 60.0 else 5 if mesh.pitch_line_velocity >= 15.0 else 6
+    return {"F_βx = 1.33 B_1 b × tilt": 0.133 * b * tilt, "half of f_Hβ": 0.5 * slope * 2.0 ** ((grade - 5) / 2.0)}
+
+
+SIZED_TO_BE_STIFF = ("plate_thickness", "free_plate", "eye_wall")
+"""Of carriers above level concept as thick or larger than strength asks; tests/verification/test_carrier_twist.py."""
+BRIDGES = ("bridge_width", "bridge_depth", "bridge_radius")
+"""Chosen from many, without an equation of their own."""
 
 
 @pytest.mark.parametrize("name", DESIGNS)
@@ -534,6 +574,11 @@ def test_printed_equations_of_carriers_give_the_printed_numbers(name):
                 continue
             if carrier.stage in sizing.design.epicyclics and origin.equation in FORCES_OF_COMPOUND:
                 continue
+            if field.name in BRIDGES:
+                continue
             found = equations[origin.equation]
             value = getattr(carrier, field.name)
+            if field.name in SIZED_TO_BE_STIFF and (carrier.bridge_width is not None or carrier.alone):
+                assert value is None or value >= found * (1.0 - 1e-9)
+                continue
             assert value == (None if found is None else pytest.approx(found, rel=1e-9)), f"{carrier.stage}.{field.name}"

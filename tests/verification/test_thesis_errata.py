@@ -14,6 +14,7 @@ from gearwright.dynamics.assembly import assemble
 from gearwright.dynamics.equations import damped_modes
 from gearwright.dynamics.model import DampingRatio, Model, line_matrix
 from gearwright.machines import motor_mass_ndarc, motor_mass_power_law
+from gearwright.parts.carriers import pin_diameter
 from gearwright.parts.gears import (
     HERTZ_COEFFICIENT,
     bending_stress_lewis,
@@ -24,7 +25,7 @@ from gearwright.parts.gears import (
     lewis_form_factor,
     module_lewis,
 )
-from gearwright.parts.planetary import assembles, even_positions, most_planets, neighbours_clear, pin_diameter
+from gearwright.parts.planetary import assembles, even_positions, most_planets, neighbours_clear
 from gearwright.parts.shafts import shaft_stress
 from gearwright.parts.stiffness import cut_square_wave, stiffness_at
 from gearwright.replays.pulvirenti.flight import relative_planets

@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.base import GEARBOX, Check, Kind, PartId, Role, not_assessed
-from gearwright.parts.planetary import BRIDGE, bridge_thickness
+from gearwright.parts.carriers import BRIDGE, bridge_thickness
 from gearwright.sizing.casing import boss_bodies, cover_bodies, ring_seats
 from gearwright.sizing.gear_geometry import cylindrical_gear
 from gearwright.sizing.housing_shell import ball_around
@@ -32,7 +32,7 @@ from gearwright.sizing.shafts import (
     retentions,
     seal_checks,
 )
-from gearwright.sizing.shafts.shafts import THROUGH
+from gearwright.sizing.shafts.carriers import THROUGH
 from gearwright.spec import GROUND, Design
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -488,8 +488,30 @@ def bridge_checks(sizing: Sizing) -> Iterator[Check]:
     for carrier in sizing.carriers:
         yield from _through(sizing, carrier)
         planets = [gear for gear in sizing.gears if gear.stage == carrier.stage and gear.role is Role.PLANET]
-        if carrier.stage in sizing.design.planetaries and max(gear.bodies for gear in planets) > 1:
+        several = carrier.stage in sizing.design.planetaries and max(gear.bodies for gear in planets) > 1
+        if several and not carrier.alone:
             yield _bridges(sizing, carrier, planets[0])
+        if carrier.misalignment is not None and carrier.largest_misalignment is not None:
+            yield _straight(carrier, carrier.misalignment, carrier.largest_misalignment)
+
+
+_TILT_CLAUSE = "ISO 6336-1:2006, table 8; carrier as beams"
+_TILT_HELP = (
+    "a second plate has no room beyond the planets: longer shafts between stages ([layout.SHAFT] length) would give it"
+    " some"
+)
+
+
+def _straight(carrier: CarrierSizing, off: float, allowed: float) -> Check:
+    """Return whether a carrier keeps planets straight; not assessed where one plate holds them for want of room."""
+    if carrier.free_plate is None and not carrier.alone and off > allowed:
+        leans = f"teeth lean by {1e6 * off:.3g} µm over their face, {1e6 * allowed:.3g} allowed"
+        why = f"on cantilever pins {leans}: {_TILT_HELP}"
+        return not_assessed(carrier.part, "planet tilt", _TILT_CLAUSE, why)
+    return Check(
+        carrier.part, "planet tilt", _TILT_CLAUSE, off, allowed, "length", at_most=True, symbol="F_βx",
+        case=carrier.case,
+    )  # fmt: skip
 
 
 def _through(sizing: Sizing, carrier: CarrierSizing) -> Iterator[Check]:
@@ -503,6 +525,14 @@ def _through(sizing: Sizing, carrier: CarrierSizing) -> Iterator[Check]:
 
 
 def _bridges(sizing: Sizing, carrier: CarrierSizing, planet: GearSizing) -> Check:
+    if carrier.bridge_width is not None:  # as sized, which may stand where planets leave more
+        allowed = (sizing.design.shaft_material.yield_strength or math.inf) / sizing.design.shafting.safety
+        force = carrier.tangential_force * carrier.radius / (2.0 * (carrier.bridge_radius or carrier.radius))
+        needed = bridge_thickness(force, planet.face_width, carrier.bridge_depth or math.inf, allowed)
+        return Check(
+            carrier.part, "bridges between planets", _BRIDGE_CLAUSE, carrier.bridge_width, needed, "length",
+            exponent=None,
+        )  # fmt: skip
     room, needed = bridge_room(carrier, planet), bridge_needed(sizing, carrier, planet)
     if room < needed:
         why = f"planets leave {1e3 * max(room, 0.0):.3g} mm for bridges that need {1e3 * needed:.3g} mm: {_BRIDGE_HELP}"

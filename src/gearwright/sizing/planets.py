@@ -50,9 +50,9 @@ from gearwright.parts.bearings import (
     usual_clearance,
     usual_least_film,
 )
+from gearwright.parts.carriers import pin_stress
 from gearwright.parts.gears import disc_mass
 from gearwright.parts.losses import oil_viscosity
-from gearwright.parts.planetary import pin_stress
 from gearwright.sizing.bearing_seats import Carrying, Seat, as_made, borne, planet_seats, unit_loads
 from gearwright.sizing.bearings import (
     PlanetLoad,

@@ -10,9 +10,9 @@ import numpy as np
 
 from gearwright.base import Floats
 from gearwright.catalogue.materials import housing_materials
+from gearwright.parts.carriers import Plate, first_carrier_mass
 from gearwright.parts.housings import CastingRule, casting_wall, torque_wall
 from gearwright.parts.losses import windage_power
-from gearwright.parts.planetary import Plate, first_carrier_mass
 from gearwright.spec import GROUND, Design, Planetary, case_named
 from gearwright.train import INTERNAL, Mesh, PowerFlow, Train, gears_of
 

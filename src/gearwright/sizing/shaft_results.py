@@ -463,6 +463,22 @@ class CarrierSizing:
         None
     )
     """Thickness of a second plate that shares the force of the pins [m]; None where one plate bears all of it."""
+    bridge_width: Annotated[
+        float | None, Quantity("length"), Origin("lightest with F_βx ≤ half of f_Hβ, σ ≤ R_p0.2/S", "slope-deflection")
+    ] = None
+    """Of a bridge between both plates, around the axis [m]; None without bridges, and at level concept."""
+    bridge_depth: Annotated[float | None, Quantity("length"), Origin("room between planets", "geometry")] = None
+    """Of a bridge, away from the axis [m]."""
+    bridge_radius: Annotated[float | None, Quantity("length"), Origin("room between planets", "geometry")] = None
+    """Of the middle of a bridge, from the axis [m]."""
+    misalignment: Annotated[
+        float | None, Quantity("length"), Origin("F_βx = 1.33 B_1 b × tilt", "ISO 6336-1:2006, table 8; beams")
+    ] = None
+    """Of planets' teeth over their face, what helix correction takes left out [m]; None at level concept."""
+    largest_misalignment: Annotated[float | None, Quantity("length"), Origin("half of f_Hβ", "ISO 1328-1:2013")] = None
+    """That is allowed [m]."""
+    alone: bool = False
+    """Whether one plate holds the pins where a second one would have room: the lighter, or as the design says."""
 
     @property
     def part(self) -> PartId:

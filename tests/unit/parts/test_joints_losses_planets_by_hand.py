@@ -7,6 +7,16 @@ import numpy as np
 import pytest
 
 from gearwright.errors import DesignError
+from gearwright.parts.carriers import (
+    eye_stress,
+    eye_wall,
+    hole_pressure,
+    pin_diameter,
+    pin_mass,
+    pin_stress,
+    plate_mass,
+    plate_shear_stress,
+)
 from gearwright.parts.gears import CylindricalGear, GearPair, ToothShift
 from gearwright.parts.losses import (
     HIGHEST_FRICTION,
@@ -33,19 +43,11 @@ from gearwright.parts.planetary import (
     assembles,
     even_positions,
     excited_modes,
-    eye_stress,
-    eye_wall,
-    hole_pressure,
     most_planets,
     nearest_positions,
     neighbours_clear,
-    pin_diameter,
     pin_error_share,
-    pin_mass,
-    pin_stress,
     planet_phases,
-    plate_mass,
-    plate_shear_stress,
     sun_to_ring_phase,
 )
 from gearwright.parts.shafts import (

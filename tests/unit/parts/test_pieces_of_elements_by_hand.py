@@ -14,8 +14,8 @@ from gearwright.parts.bearings.rolling_bearing import (
     turning_inertia,
 )
 from gearwright.parts.bevel_geometry import BevelPair, bevel_volume, lightened_web
+from gearwright.parts.carriers import pin_bore, pin_diameter, pin_mass, pin_stress
 from gearwright.parts.gears import Blank, TransverseTooth, blank_volume, face_crown, face_reach, revolved_volume
-from gearwright.parts.planetary import pin_bore, pin_diameter, pin_mass, pin_stress
 from gearwright.parts.shaft_fatigue import (
     AxialLoad,
     Concentration,

@@ -486,4 +486,5 @@ change_twins((
     ("gearwright.sizing.casing", _in_each_lane("_module", "spline", "_pieces")),
     ("gearwright.sizing.inner_walls", _in_each_lane("_walls")),
     ("gearwright.sizing.loads", _in_each_lane("_worst_direction", "_at")),
+    ("gearwright.sizing.shafts.carriers", _in_each_lane("stiff_frame")),
 ))  # fmt: skip

@@ -21,6 +21,7 @@ from gearwright.catalogue import (
 )
 from gearwright.parts.bearings import BearingKind
 from gearwright.parts.bevel_geometry import WEB, BevelPair, bevel_dishes, bevel_volume, lightened_web
+from gearwright.parts.carriers import BESIDE, BRIDGE
 from gearwright.parts.gears import (
     Blank,
     SeatHub,
@@ -31,7 +32,6 @@ from gearwright.parts.gears import (
     outline_area,
     revolved_volume,
 )
-from gearwright.parts.planetary import BESIDE, BRIDGE
 from gearwright.sizing.bearing_seats import PlanetBody, Seat, bearing_seats, planet_bodies, seat_forces
 from gearwright.sizing.casing import ring_seats
 from gearwright.sizing.gear_geometry import (
@@ -754,7 +754,9 @@ def cage_of(sizing: Sizing, carrier: CarrierSizing, runs: Sequence[Run]) -> Cage
     bodies = plates_of(sizing, carrier.stage)
     fill = sizing.design.carriers.fill
     plates = tuple(Plate(body, plate_bore(sizing, body, runs), fill) for body in bodies)
-    bridge = bridge_between(sizing, carrier, planets) if len(plates) > 1 else None
+    bridge = None
+    if len(plates) > 1:
+        bridge = _bridge_of(carrier) or bridge_between(sizing, carrier, planets)
     span = _between(sizing, bodies)
     ends = [end for body in bodies for end in along_body(bodies[0], body)]
     whole = (min(span[0], *ends), max(span[1], *ends))
@@ -762,6 +764,12 @@ def cage_of(sizing: Sizing, carrier: CarrierSizing, runs: Sequence[Run]) -> Cage
         plates, span, whole, carrier.pin_diameter, carrier.eye_wall, carrier.pin_bore or 0.0, sum(pins.values()),
         bridge, max(pins.values()),
     )  # fmt: skip
+
+
+def _bridge_of(carrier: CarrierSizing) -> Bridge | None:
+    """Return a bridge as it was sized; None where it was not."""
+    sizes = (carrier.bridge_width, carrier.bridge_depth, carrier.bridge_radius)
+    return None if None in sizes else Bridge(*(size or 0.0 for size in sizes))
 
 
 def _between(sizing: Sizing, plates: Sequence[Body]) -> tuple[float, float]:

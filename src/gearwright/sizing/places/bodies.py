@@ -301,7 +301,8 @@ def plates_of(sizing: Sizing, stage: str) -> tuple[Body, ...]:
 @of_latest(1)
 def _plates(sizing: Sizing) -> dict[str, tuple[Body, ...]]:
     """Return the plates of every carrier."""
-    return {stage: _plates_of(sizing, stage) for stage in sizing.design.sets}
+    alone = {carrier.stage for carrier in sizing.carriers if carrier.alone}
+    return {stage: _plates_of(sizing, stage)[: 1 if stage in alone else None] for stage in sizing.design.sets}
 
 
 def _plates_of(standing: Standing, stage: str) -> tuple[Body, ...]:

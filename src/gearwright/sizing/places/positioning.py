@@ -636,17 +636,20 @@ def _settled(context: Context, gears: tuple[GearSizing, ...], turns: tuple[Turn,
     by_name = {gear.name: gear for gear in gears}
     joints = [joint for shaft in built for joint in shaft.joints]
     rules = rules_of(context, by_name, [shaft.shaft.name for shaft in built], joints)
-    bare, room = replace(bare, turns=turns), tuple[str, ...]()
-    while True:  # plates that share are thinner, which leaves other sets room for a second one
-        carriers = size_carriers(context, gears, shafts, bare.two_sided, room)
+    bare, room, without = replace(bare, turns=turns), set[str](), set[str]()
+    while True:  # plates that share are thinner, which leaves other sets room for a second one; stiff ones leave less
+        carriers = size_carriers(context, gears, shafts, bare.two_sided, tuple(sorted(room)))
         settled = Settled(bare, shafts, tuple(built), carriers, rules)
         settled = replace(settled, arrangement=placed(_parts(context, gears, settled)))
         if context.design.level == CONCEPT:
             return settled
-        more = roomy(_Standing(context.design, gears, shafts, settled.arrangement, carriers))
-        if {*more} <= {*room}:
+        more = {*roomy(_Standing(context.design, gears, shafts, settled.arrangement, carriers))}
+        shared = {carrier.stage for carrier in carriers if carrier.free_plate is not None}
+        if lost := (room & shared) - more:
+            without |= lost
+        elif more - without <= room:
             return settled
-        room = tuple(sorted({*room, *more}))
+        room = (room | more) - without
 
 
 class _Standing(NamedTuple):

@@ -57,7 +57,8 @@ WITH_OWN_STEEL = (Role.WHEEL, Role.RING)
 """Gears that may be of another steel than the rest of their stage."""
 ASKED_RELIABILITY = 0.99
 """Part of the gears that survive σ_lim of ISO 6336-5 [-]."""
-_HELIX = {"none": UNMODIFIED, "crowning": CROWNED, "corrected": CORRECTED_AND_CROWNED}
+HELIX = {"none": UNMODIFIED, "crowning": CROWNED, "corrected": CORRECTED_AND_CROWNED}
+"""Helix modification -> what it leaves of misalignment."""
 
 
 def steel_of(rating: Rating, role: Role = Role.PINION) -> GearSteel:
@@ -204,7 +205,7 @@ def _flanks(rating: Rating) -> MeshQuality:
         relief_rule=ReliefRule(rules.tip_relief_for),
         relief_tolerance=rules.tip_relief_tolerance,
         blank=rules.blank_factor,
-        helix=_HELIX[rules.helix_modification],
+        helix=HELIX[rules.helix_modification],
         viscosity=rules.oil_viscosity * SQUARE_MM,
         choices=Choices(
             RatingMethod(rules.dynamic_method),

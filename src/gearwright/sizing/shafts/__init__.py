@@ -5,6 +5,7 @@ What holds parts and bearings along sized shafts is the room `holding`.
 
 from gearwright.sizing.bearings import centred_bearings, pressure_centre_checks
 from gearwright.sizing.shafts.building import Built
+from gearwright.sizing.shafts.carriers import carrier_checks, size_carriers
 from gearwright.sizing.shafts.ends import (
     Groove,
     Held,
@@ -28,12 +29,10 @@ from gearwright.sizing.shafts.retention import ENDS, Holder, Retention, ends, re
 from gearwright.sizing.shafts.sections import Cut, Section, Strength, strengths, undercuts_of
 from gearwright.sizing.shafts.shafts import (
     built_checks,
-    carrier_checks,
     refuse_bores,
     refuse_idle_shafts,
     shaft_checks,
     shaft_material,
-    size_carriers,
     size_shafts,
 )
 

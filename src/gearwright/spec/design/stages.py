@@ -92,6 +92,19 @@ class CarrierRules(Record):
     safety: Ratio = Field(2.0, ge=1, description="Factor on R_p0.2 against the stress of pins and plate")
     plate_ratio: Ratio = Field(0.25, ge=0.01, le=2, description="Plate thickness over the planets' face width")
     fill: Ratio = Field(0.6, ge=0.01, le=1, description="Share of the plate that is not cut out")
+    plates: int | None = Field(
+        None, ge=1, le=2, description="That hold pins, above level concept; left out: the lighter that keeps planets"
+        " straight, of those that have room",
+    )  # fmt: skip
+    torque_at: Literal["plate", "middle"] = Field(
+        "plate",
+        description="Where a carrier of two plates hands on its torque: at one plate, behind which the other lags, or"
+        " in the middle of its bridges, as a torque frame does",
+    )
+    largest_misalignment: Length | None = Field(
+        None, ge=1e-8, le=1e-3, description="Of planets' teeth over their face by the carrier's twist and pins that"
+        " bend, what helix correction takes left out, above level concept; left out: half of f_Hβ",
+    )  # fmt: skip
 
 
 class Place(Record):
