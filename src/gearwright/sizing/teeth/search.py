@@ -236,7 +236,9 @@ class Chosen(NamedTuple):
     """The same of every group of stages with one module, by the one that owns it [kg]."""
 
 
-def choose_teeth(design: Design, train: Train, areas: Mapping[str, float] | None = None) -> list[Chosen]:
+def choose_teeth(
+    design: Design, train: Train, areas: Mapping[str, float] | None = None, films: Collection[str] = ()
+) -> list[Chosen]:
     """Return the tooth number of every gear, and how many planets each set has, of the lightest gears first.
 
     As many of the lightest as the rules of the search size in full.
@@ -245,6 +247,7 @@ def choose_teeth(design: Design, train: Train, areas: Mapping[str, float] | None
         design: Given teeth are kept, those left out are chosen.
         train: Its graph.
         areas: Set -> least face times diameter of all its planets with which it is weighed [m²].
+        films: Bevel pairs that are weighed with what their films ask for, too.
 
     Raises:
         DesignError: If speeds are not determined, or a stage has no candidate; with what would do.
@@ -259,7 +262,10 @@ def choose_teeth(design: Design, train: Train, areas: Mapping[str, float] | None
     flow, kept = nominal_flow(design, train, nominal)
     given, design = design, nominal.design
     tasks = [task_of(name, design, train, nominal, flow) for name in design.simple_stages]
-    tasks = [replace(task, rating=replace(task.rating, least_area=(areas or {}).get(task.name, 0.0))) for task in tasks]
+    tasks = [
+        replace(task, rating=replace(task.rating, least_area=(areas or {}).get(task.name, 0.0)), films=task.name in films)
+        for task in tasks
+    ]
     start = Front(
         {}, {shaft: np.array([nominal.speeds[shaft]]) for shaft in kept}, {}, {},
         tally={"combinations": np.ones(1), "second": np.full(1, np.inf)},
