@@ -56,6 +56,8 @@ class Seat(NamedTuple):
     """Equal ones [-]."""
     torque: float
     """On one of them, of one mesh [N m]."""
+    push: float
+    """Force on its shaft over that along its circle [-]; 0 where those of several mates cancel, about."""
     per_force: float
     """Both bearings with their bosses over the power 1.5 of the force on the gear [kg/N^1.5]."""
 
@@ -175,9 +177,11 @@ def _held(
     for mesh in rows:
         for side, name in enumerate(mesh.gears):
             gear = train.gear(name)
-            rating = rating_for(0.5 * PUSH * service.mean_load, service.bearing_life, _speed(flow, gear.nodes[0]))
+            rating = rating_for(0.5 * service.mean_load, service.bearing_life, _speed(flow, gear.nodes[0]))
             torque = abs(flow.meshes[mesh.name].torques[side]) / mesh.count
-            seats[name] = Seat(names.index(name), gear.bodies, torque, 2.0 * boss * loaded_mass(rating))
+            mates = sum(row.count for row in rows if name in row.gears) / gear.bodies
+            push = PUSH if mates < 2.0 else 0.0
+            seats[name] = Seat(names.index(name), gear.bodies, torque, push, 2.0 * boss * loaded_mass(rating))
     allowable = (design.shaft_material.yield_strength or math.inf) / rules.safety
     return Held(tuple(seats.values()), allowable, design.shaft_material.density, rules.bearing_length)
 
@@ -282,7 +286,7 @@ def held_mass(held: Held, radii: Sequence[Floats], widths: Floats) -> Floats:
     """
     mass = np.zeros(np.broadcast_shapes(np.shape(radii[0]), np.shape(widths)))
     for seat in held.seats:
-        force = PUSH * seat.torque / radii[seat.place]
+        force = seat.push * seat.torque / radii[seat.place]
         moment = force * (widths + held.end) / 4.0
         square = np.cbrt(32.0 / (math.pi * held.allowable) * np.hypot(moment, seat.torque)) ** 2
         shaft = held.density * math.pi / 4.0 * square * (2.0 * held.end + widths)

@@ -199,7 +199,7 @@ CROWDED, ALIKE = 3, 0.05
 """Transmissions whose bodies have no room, after which none with such modules is completed until one passes, and part
 by which modules may differ that count as the same [-]."""
 FILMS = 0.05
-"""By how much a bevel pair is heavier than the search has it, over all gears, from which its films are looked at [-]."""
+"""By how much a bevel pair is heavier than the search has it, over all gears, for its films to be looked at [-]."""
 SIZED = 12
 """Choices of teeth that are sized at most [-]."""
 FIRST = 4

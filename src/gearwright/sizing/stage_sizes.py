@@ -347,7 +347,7 @@ def options(
         yield from _best(context, parts, standard_grid(unit), demands)
     else:
         coarse = _best(context, parts, fine_grid(unit, (LEAST, MOST), STEPS[0]), demands)
-        best = found = next(coarse)
+        found = next(coarse)
         for before, step in pairwise(STEPS):
             middle = _unit_of(context, parts[-1], found.sizes[-1])
             found = next(_best(context, parts, fine_grid(middle, (1.0 - before, 1.0 + before), step), demands))

@@ -330,7 +330,7 @@ def _problems(design: Design, bands: Set[str], tried: int) -> Iterator[Problem]:
 
 
 ENLARGED, LEAST_STEP = 6, 0.02
-"""Larger modules that are tried of a bevel pair for its films, at most, and by which part each is larger at least [-]."""
+"""Larger modules that are tried of a bevel pair for its films, and by which part each is larger at least [-]."""
 
 
 def bevel_size(

@@ -262,10 +262,8 @@ def choose_teeth(
     flow, kept = nominal_flow(design, train, nominal)
     given, design = design, nominal.design
     tasks = [task_of(name, design, train, nominal, flow) for name in design.simple_stages]
-    tasks = [
-        replace(task, rating=replace(task.rating, least_area=(areas or {}).get(task.name, 0.0)), films=task.name in films)
-        for task in tasks
-    ]
+    tasks = [replace(task, rating=replace(task.rating, least_area=(areas or {}).get(task.name, 0.0))) for task in tasks]
+    tasks = [replace(task, films=task.name in films) for task in tasks]
     start = Front(
         {}, {shaft: np.array([nominal.speeds[shaft]]) for shaft in kept}, {}, {},
         tally={"combinations": np.ones(1), "second": np.full(1, np.inf)},
