@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.base import Floats
-from gearwright.catalogue import STEEL_DENSITY, STEEL_SHARE, loaded_mass, rating_for
+from gearwright.catalogue import STEEL_DENSITY, STEEL_SHARE, bored_mass, loaded_mass, rating_for
 from gearwright.catalogue.materials import HousingMaterial, housing_materials
 from gearwright.parts.bearings import BearingKind
 from gearwright.parts.housings import CastingRule, casting_wall, torque_wall
@@ -59,13 +59,15 @@ class Seat(NamedTuple):
     push: float
     """Force on its shaft over that along its circle [-]; 0 where those of several mates cancel, about."""
     per_force: float
-    """Both bearings with their bosses over the power 1.5 of the force on the gear [kg/N^1.5]."""
+    """Both bearings with their bosses by their load, over the power 1.5 of the force on the gear [kg/N^1.5]."""
 
 
 class Held(NamedTuple):
     """What holds the gears of a pair: shafts in two bearings each."""
 
     seats: tuple[Seat, ...]
+    per_bore: float
+    """Both bearings with their bosses at least, over the cube of the shaft's diameter [kg/m³]."""
     allowable: float
     """Stress of shafts [Pa]."""
     density: float
@@ -183,7 +185,7 @@ def _held(
             push = PUSH if mates < 2.0 else 0.0
             seats[name] = Seat(names.index(name), gear.bodies, torque, push, 2.0 * boss * loaded_mass(rating))
     allowable = (design.shaft_material.yield_strength or math.inf) / rules.safety
-    return Held(tuple(seats.values()), allowable, design.shaft_material.density, rules.bearing_length)
+    return Held(tuple(seats.values()), 2.0 * boss * bored_mass(1.0), allowable, design.shaft_material.density, rules.bearing_length)
 
 
 def boss_share(material: HousingMaterial) -> float:
@@ -282,15 +284,16 @@ def held_mass(held: Held, radii: Sequence[Floats], widths: Floats) -> Floats:
         radii: Of the kinds of gears [m].
         widths: b [m].
 
-    Source: a force in the middle, F/2 on each bearing, M = F (b + e)/4; L_10 = (C/P)^(10/3), m = (C/c)^1.5.
+    Source: a force in the middle, F/2 on each bearing, M = F (b + e)/4; L_10 = (C/P)^(10/3), m = max((C/c)^1.5, k d³).
     """
     mass = np.zeros(np.broadcast_shapes(np.shape(radii[0]), np.shape(widths)))
     for seat in held.seats:
         force = seat.push * seat.torque / radii[seat.place]
         moment = force * (widths + held.end) / 4.0
-        square = np.cbrt(32.0 / (math.pi * held.allowable) * np.hypot(moment, seat.torque)) ** 2
-        shaft = held.density * math.pi / 4.0 * square * (2.0 * held.end + widths)
-        mass = mass + seat.bodies * (seat.per_force * force**1.5 + shaft)
+        cube = 32.0 / (math.pi * held.allowable) * np.hypot(moment, seat.torque)
+        shaft = held.density * math.pi / 4.0 * np.cbrt(cube) ** 2 * (2.0 * held.end + widths)
+        bearings = np.maximum(seat.per_force * force**1.5, held.per_bore * cube)
+        mass = mass + seat.bodies * (bearings + shaft)
     return np.asarray(mass)
 
 
