@@ -185,7 +185,13 @@ def _held(
             push = PUSH if mates < 2.0 else 0.0
             seats[name] = Seat(names.index(name), gear.bodies, torque, push, 2.0 * boss * loaded_mass(rating))
     allowable = (design.shaft_material.yield_strength or math.inf) / rules.safety
-    return Held(tuple(seats.values()), 2.0 * boss * bored_mass(1.0), allowable, design.shaft_material.density, rules.bearing_length)
+    return Held(
+        tuple(seats.values()),
+        2.0 * boss * bored_mass(1.0),
+        allowable,
+        design.shaft_material.density,
+        rules.bearing_length,
+    )
 
 
 def boss_share(material: HousingMaterial) -> float:
