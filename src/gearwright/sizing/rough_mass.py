@@ -47,7 +47,7 @@ class Casing(NamedTuple):
     """What shafts and plates of a set add to its depth [m]."""
 
 
-class Seat(NamedTuple):
+class GearSeat(NamedTuple):
     """A kind of gears of a pair as what holds its shafts sees it."""
 
     place: int
@@ -62,10 +62,10 @@ class Seat(NamedTuple):
     """Both bearings with their bosses by their load, over the power 1.5 of the force on the gear [kg/N^1.5]."""
 
 
-class Held(NamedTuple):
+class ShaftBasis(NamedTuple):
     """What holds the gears of a pair: shafts in two bearings each."""
 
-    seats: tuple[Seat, ...]
+    seats: tuple[GearSeat, ...]
     per_bore: float
     """Both bearings with their bosses at least, over the cube of the shaft's diameter [kg/m³]."""
     allowable: float
@@ -99,7 +99,7 @@ class MassBasis(NamedTuple):
     """None: no housing of its own."""
     per_heat: float = 0.0
     """Oil, pump, lines, filter and cooler over the power that is lost [kg/W]."""
-    held: Held | None = None
+    held: ShaftBasis | None = None
     """Of pairs, whose meshes bend their shafts."""
 
 
@@ -169,13 +169,13 @@ def _casing(design: Design, flow: PowerFlow) -> Casing | None:
 
 def _held(
     design: Design, train: Train, rows: Sequence[Mesh], names: Sequence[str], lasting: Sequence[PowerFlow]
-) -> Held | None:
+) -> ShaftBasis | None:
     """Return what holds the gears of a pair, in the case that speaks for the design."""
     if not lasting:
         return None
     flow, rules, service = lasting[0], design.shafting, design.service
     boss = 1.0 + (boss_share(housing_materials()[design.housing.material]) if design.housing.own else 0.0)
-    seats = dict[str, Seat]()
+    seats = dict[str, GearSeat]()
     for mesh in rows:
         for side, name in enumerate(mesh.gears):
             gear = train.gear(name)
@@ -183,9 +183,9 @@ def _held(
             torque = abs(flow.meshes[mesh.name].torques[side]) / mesh.count
             mates = sum(row.count for row in rows if name in row.gears) / gear.bodies
             push = PUSH if mates < 2.0 else 0.0
-            seats[name] = Seat(names.index(name), gear.bodies, torque, push, 2.0 * boss * loaded_mass(rating))
+            seats[name] = GearSeat(names.index(name), gear.bodies, torque, push, 2.0 * boss * loaded_mass(rating))
     allowable = (design.shaft_material.yield_strength or math.inf) / rules.safety
-    return Held(
+    return ShaftBasis(
         tuple(seats.values()),
         2.0 * boss * bored_mass(1.0),
         allowable,
@@ -282,7 +282,7 @@ def around_mass(
     return np.asarray(mass)
 
 
-def held_mass(held: Held, radii: Sequence[Floats], widths: Floats) -> Floats:
+def held_mass(held: ShaftBasis, radii: Sequence[Floats], widths: Floats) -> Floats:
     """Return about what shafts of a pair weigh beside its gears, with their bearings and the bosses around these [kg].
 
     Args:

@@ -8,7 +8,7 @@ import pytest
 from designs import PAIR
 from gearwright import complete_mass, edited, parse, size
 from gearwright.catalogue.materials import housing_materials
-from gearwright.sizing.rough_mass import Held, Seat, around_stage, boss_share, held_mass
+from gearwright.sizing.rough_mass import GearSeat, ShaftBasis, around_stage, boss_share, held_mass
 
 RATED = edited(parse(PAIR), {"gears.rating": "iso6336", "pairs.stage.pinion_teeth": 30, "pairs.stage.wheel_teeth": 90})
 TIED = """\
@@ -63,7 +63,7 @@ def test_a_boss_weighs_over_its_bearing_what_it_does_in_the_complete_gearbox():
 
 def test_shafts_and_bearings_by_hand():
     """A force of 10 kN at 0.1 m: M = 10⁴ (0.05 + 0.03)/4 = 200 N m, d³ = 32 √(200² + 1000²)/(π 400e6), l = 0.11 m."""
-    held = Held((Seat(0, 2, 1000.0, 1.0, 1e-6),), 1e4, allowable=400e6, density=8000.0, end=0.03)
+    held = ShaftBasis((GearSeat(0, 2, 1000.0, 1.0, 1e-6),), 1e4, allowable=400e6, density=8000.0, end=0.03)
     cube = 32.0 * math.hypot(200.0, 1000.0) / (math.pi * 400e6)
     shaft = 8000.0 * math.pi / 4.0 * cube ** (2.0 / 3.0) * 0.11
     by_load = held_mass(held, [np.asarray(0.1)], np.asarray(0.05))
