@@ -15,7 +15,7 @@ ALIKE = 1e-3
 """Part by which masses may differ where nothing but their last digits moved [-]."""
 FARTHER = 0.005
 """Part of its mass by which a choice may be farther from the lightest than it was kept [-]."""
-FEW = [("spur pair", 4), ("star", 0), ("stepped", 2)]
+FEW = [("spur pair", 4), ("star", 0), ("stepped", 2), ("layshaft", 1), ("bevel + pair", 4), ("bevel + pair", 16)]
 
 
 def record(kind, number):

@@ -9,11 +9,13 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.base import Floats
-from gearwright.catalogue.materials import housing_materials
+from gearwright.catalogue import STEEL_DENSITY, STEEL_SHARE, bored_mass, loaded_mass, rating_for
+from gearwright.catalogue.materials import HousingMaterial, housing_materials
+from gearwright.parts.bearings import BearingKind
 from gearwright.parts.carriers import Plate, first_carrier_mass
 from gearwright.parts.housings import CastingRule, casting_wall, torque_wall
 from gearwright.parts.losses import windage_power
-from gearwright.spec import GROUND, Design, Planetary, case_named
+from gearwright.spec import GROUND, Design, Pair, Planetary, case_named
 from gearwright.train import INTERNAL, Mesh, PowerFlow, Train, gears_of
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -45,6 +47,35 @@ class Casing(NamedTuple):
     """What shafts and plates of a set add to its depth [m]."""
 
 
+class GearSeat(NamedTuple):
+    """A kind of gears of a pair as what holds its shafts sees it."""
+
+    place: int
+    """Of the kind [-]."""
+    bodies: int
+    """Equal ones [-]."""
+    torque: float
+    """On one of them, of one mesh [N m]."""
+    push: float
+    """Force on its shaft over that along its circle [-]; 0 where those of several mates cancel, about."""
+    per_force: float
+    """Both bearings with their bosses by their load, over the power 1.5 of the force on the gear [kg/N^1.5]."""
+
+
+class ShaftBasis(NamedTuple):
+    """What holds the gears of a pair: shafts in two bearings each."""
+
+    seats: tuple[GearSeat, ...]
+    per_bore: float
+    """Both bearings with their bosses at least, over the cube of the shaft's diameter [kg/m³]."""
+    allowable: float
+    """Stress of shafts [Pa]."""
+    density: float
+    """Of shafts [kg/m³]."""
+    end: float
+    """What a shaft is longer than its gear on each side, and the width of a bearing [m]."""
+
+
 class MassBasis(NamedTuple):
     """What the parts around the gears of a stage are estimated from."""
 
@@ -68,6 +99,8 @@ class MassBasis(NamedTuple):
     """None: no housing of its own."""
     per_heat: float = 0.0
     """Oil, pump, lines, filter and cooler over the power that is lost [kg/W]."""
+    held: ShaftBasis | None = None
+    """Of pairs, whose meshes bend their shafts."""
 
 
 def around_stage(name: str, design: Design, train: Train, flows: Mapping[str, PowerFlow], lean: float) -> MassBasis:
@@ -93,6 +126,8 @@ def around_stage(name: str, design: Design, train: Train, flows: Mapping[str, Po
         names, tuple(gear.bodies for gear in gears), places, lean, cases,
         casing=_casing(design, lasting[0] if lasting else next(iter(flows.values()))), per_heat=_per_heat(design),
     )  # fmt: skip
+    if isinstance(stage, Pair):
+        found = found._replace(held=_held(design, train, rows, names, lasting))
     steel, carriers = design.shaft_material, design.carriers
     bell = 0.0
     if any(gear.name in train.internal and gear.nodes[0] != GROUND for gear in gears):
@@ -132,6 +167,45 @@ def _casing(design: Design, flow: PowerFlow) -> Casing | None:
     return Casing(material.density, material.casting, torque, material.shear_strength, hubs)
 
 
+def _held(
+    design: Design, train: Train, rows: Sequence[Mesh], names: Sequence[str], lasting: Sequence[PowerFlow]
+) -> ShaftBasis | None:
+    """Return what holds the gears of a pair, in the case that speaks for the design."""
+    if not lasting:
+        return None
+    flow, rules, service = lasting[0], design.shafting, design.service
+    boss = 1.0 + (boss_share(housing_materials()[design.housing.material]) if design.housing.own else 0.0)
+    seats = dict[str, GearSeat]()
+    for mesh in rows:
+        for side, name in enumerate(mesh.gears):
+            gear = train.gear(name)
+            rating = rating_for(0.5 * service.mean_load, service.bearing_life, _speed(flow, gear.nodes[0]))
+            torque = abs(flow.meshes[mesh.name].torques[side]) / mesh.count
+            mates = sum(row.count for row in rows if name in row.gears) / gear.bodies
+            push = PUSH if mates < 2.0 else 0.0
+            seats[name] = GearSeat(names.index(name), gear.bodies, torque, push, 2.0 * boss * loaded_mass(rating))
+    allowable = (design.shaft_material.yield_strength or math.inf) / rules.safety
+    return ShaftBasis(
+        tuple(seats.values()),
+        2.0 * boss * bored_mass(1.0),
+        allowable,
+        design.shaft_material.density,
+        rules.bearing_length,
+    )
+
+
+def boss_share(material: HousingMaterial) -> float:
+    """Return what the boss around a bearing weighs over it [-].
+
+    Args:
+        material: Of the housing.
+
+    Source: bosses as `mass.complete` has them: 0.12 D thick and 0.25 D wide around light series, d = D/1.6, B = 0.2 D.
+    """
+    steel = STEEL_SHARE[BearingKind.CYLINDRICAL] * STEEL_DENSITY * (1.0 - 1.0 / 1.6**2) * 0.2
+    return (1.24**2 - 1.0) * 0.25 * material.density / steel
+
+
 def _per_heat(design: Design) -> float:
     rules = design.housing
     if rules.oil_system != "own":
@@ -158,6 +232,8 @@ DEEP, LONG = 1.3, 1.6
 """Depth of a housing over the face width of a pair, and over that of a set with the plates of its carrier [-]."""
 HUBS = 5.5e-3
 """What shafts add to the depth around a set, over the cube root of the torque that the housing holds [m/(N m)^⅓]."""
+PUSH = 1.064
+"""Force on a gear over that along its circle [-]: at α = 20°."""
 HEAT_CAPACITY = 2000.0
 """Of lubricating oil [J/(kg K)]."""
 UNITS = 12.6
@@ -197,10 +273,33 @@ def around_mass(
             [(factor * torque, speed) for torque, speed in around.carried], sun + own, widths,
             (sun + modules, own + modules, ring - modules), planet=planet, planets=planets, plate=around.plate,
         )  # fmt: skip
+    if around.held is not None:
+        mass = mass + held_mass(around.held, [z * transverse / 2.0 for z in teeth], widths)
     if around.casing is not None:
         length = widest if rings else (teeth[0] + teeth[1]) * transverse
         depth = LONG * widths + around.casing.hubs if rings else DEEP * widths
         mass = mass + housing_mass(around.casing, length, widest, depth)
+    return np.asarray(mass)
+
+
+def held_mass(held: ShaftBasis, radii: Sequence[Floats], widths: Floats) -> Floats:
+    """Return about what shafts of a pair weigh beside its gears, with their bearings and the bosses around these [kg].
+
+    Args:
+        held: What holds them.
+        radii: Of the kinds of gears [m].
+        widths: b [m].
+
+    Source: a force in the middle, F/2 on each bearing, M = F (b + e)/4; L_10 = (C/P)^(10/3), m = max((C/c)^1.5, k d³).
+    """
+    mass = np.zeros(np.broadcast_shapes(np.shape(radii[0]), np.shape(widths)))
+    for seat in held.seats:
+        force = seat.push * seat.torque / radii[seat.place]
+        moment = force * (widths + held.end) / 4.0
+        cube = 32.0 / (math.pi * held.allowable) * np.hypot(moment, seat.torque)
+        shaft = held.density * math.pi / 4.0 * np.cbrt(cube) ** 2 * (2.0 * held.end + widths)
+        bearings = np.maximum(seat.per_force * force**1.5, held.per_bore * cube)
+        mass = mass + seat.bodies * (bearings + shaft)
     return np.asarray(mass)
 
 

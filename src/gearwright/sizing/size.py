@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import heapq
 import math
+from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import count
@@ -57,8 +58,9 @@ from gearwright.sizing.places import (
     room_checks,
     settle,
 )
+from gearwright.sizing.places.frames import CLAUSE as ROOM
 from gearwright.sizing.planets import bearing_margins, film_checks, fit_planets
-from gearwright.sizing.rating import MESHES, Context, Known, load_sharing
+from gearwright.sizing.rating import MESHES, Context, Known, load_sharing, rating_of
 from gearwright.sizing.result import GearSizing, MachineSizing, Sizing, refuse_no_numbers
 from gearwright.sizing.shafts import built_checks, carrier_checks, shaft_checks
 from gearwright.sizing.shafts.stretches import face_load_checks
@@ -194,6 +196,11 @@ HOPE = 0.7
 """Margin of the worst check that some transmission has come to, or only half as many are completed [-]."""
 LITTLE = 0.3
 """The same below which a wider face cannot help, so that teeth are not chosen anew by what it should be [-]."""
+CROWDED, ALIKE = 3, 0.05
+"""Transmissions whose bodies have no room, after which none with such modules is completed until one passes, and part
+by which modules may differ that count as the same [-]."""
+FILMS = 0.05
+"""By how much a bevel pair is heavier than the search has it, over all gears, for its films to be looked at [-]."""
 SIZED = 12
 """Choices of teeth that are sized at most [-]."""
 FIRST = 4
@@ -313,6 +320,8 @@ class _Looked:
     """Mass of sized gears over the estimate of the search, the least of all [-]."""
     narrow: int = 0
     """Gears that are passed over as their planets are no larger than those of others that are unfit [-]."""
+    crowded: int = 0
+    """Gears that are passed over as bodies of several others with such modules have no room [-]."""
     unfit: list[Fitted] = field(default_factory=list)
     """Gears whose planets have no bearing that serves."""
     short: list[Geared] = field(default_factory=list)
@@ -481,6 +490,8 @@ def _compare(design: Design, train: Train, given: Mapping[str, Given], looked: _
     while not search.is_enough():
         if search.asks_for_faces():
             search.begin_anew()
+        if search.asks_for_films():
+            search.begin_with_films()
         if (course := search.lightest()) is None:
             break
         if course.gears is not None:
@@ -520,10 +531,14 @@ class _Comparison:
         """Set -> least face times diameter of all its planets, as far as their bearings have told [m²]."""
         self.narrow = dict[int, set[tuple[str, StageSize]]]()
         """Choice of teeth -> sizes of sets in whose planets no bearing serves."""
+        self.crowded = Counter[frozenset[tuple[str, int]]]()
+        """Modules of all stages, about -> transmissions with them that fail as bodies have no room [-]."""
         self.done = set[tuple[int, frozenset[tuple[str, StageSize]]]]()
         """Choices of teeth with sizes that were looked at: wider ones may come twice."""
         self.sized = 0
         """Choices of teeth that were sized before that was known [-]."""
+        self.scuffed = frozenset[str]()
+        """Bevel pairs whose teeth are chosen anew by what their films ask for."""
         self.heavier = dict[frozenset[StageTeeth], float]()
         """Teeth of stages that are sized together -> by how much they are heavier than the search has it [kg]."""
 
@@ -531,7 +546,7 @@ class _Comparison:
         """Tell whether so many transmissions are completed that no more are, as one passes or none comes near to it."""
         looked, (enough, most) = self.looked, COMPLETED[self.design.level]
         spared = 1 if most == 1 else 2  # of those that are refused half, as other sizes may be built
-        tried = len(looked.whole) + len(looked.refused) // spared + looked.narrow // NARROW
+        tried = len(looked.whole) + len(looked.refused) // spared + (looked.narrow + looked.crowded) // NARROW
         tried += len(looked.unfit) // UNFIT
         if looked.passing:
             several = TOGETHER // len(self.design.stages) if most > 1 else 1
@@ -558,9 +573,35 @@ class _Comparison:
             nearest = max(own, key=lambda one: one.margins[stage])
             planet = nearest.short_of[stage]
             self.areas[stage] = NEARLY * nearest.asked_face(stage) * planet.pitch_diameter * planet.bodies
-        first = len(self.choices)
-        self.choices += choose_teeth(considering(self.design), self.train, self.areas)
         self.queue = [row for row in self.queue if row[2].unfit is not None]
+        self._choose_anew()
+        self.looked.narrow = 0
+
+    def asks_for_films(self) -> bool:
+        """Tell whether a bevel pair came out so much heavier than the search has it that it is weighed with its films.
+
+        What else the search leaves out of bevel pairs weighs less.
+        """
+        if self.scuffed:
+            return False
+        stages = {row[0]: heavier for own, heavier in self.heavier.items() for row in own if len(own) == 1}
+        self.scuffed = frozenset(
+            stage for stage, heavier in stages.items()
+            if heavier > FILMS * self.choices[0].gear_mass and rating_of(self.design, stage).kind == "bevel"
+        )  # fmt: skip
+        return bool(self.scuffed)
+
+    def begin_with_films(self) -> None:
+        """Choose teeth anew with what the films of bevel pairs ask for."""
+        self.queue = [row for row in self.queue if row[2].gears is not None]
+        self.heavier.clear()
+        self.looked.off = math.inf
+        self._choose_anew()
+
+    def _choose_anew(self) -> None:
+        """Choose teeth anew by what is known now; they come after those that are sized."""
+        looked, first = self.looked, len(self.choices)
+        self.choices += choose_teeth(considering(self.design), self.train, self.areas, self.scuffed)
         self.queue += [
             (choice.gear_mass, place, _Course(place, mass=choice.gear_mass))
             for place, choice in enumerate(self.choices)
@@ -569,7 +610,7 @@ class _Comparison:
         heapq.heapify(self.queue)
         self.order = count(len(self.choices) + next(self.order))
         self.waiting.clear()
-        self.sized, looked.narrow = looked.sized, 0
+        self.sized = looked.sized
 
     def lightest(self) -> _Course | None:
         """Return what weighs least by the estimate; None where nothing is left."""
@@ -595,6 +636,10 @@ class _Comparison:
         if (known := (course.place, frozenset(gears.sizes.items()))) in self.done:
             return
         self.done.add(known)
+        alike = frozenset((part, round(math.log(size.module) / ALIKE)) for part, size in gears.sizes.items())
+        if self.crowded[alike] >= CROWDED and not looked.passing:
+            looked.crowded += 1
+            return
         if faces := looked.asked_faces(gears):
             looked.narrow += 1
             self._widen(gears, faces, course)
@@ -609,7 +654,10 @@ class _Comparison:
             faces = {stage: fitted.asked_face(stage) for stage in fitted.short_of}
             self._widen(gears, faces, course._replace(unfit=fitted))
         else:
+            before = len(looked.whole)
             looked.complete(self._narrowed(fitted, course.unfit) if course.unfit else fitted, self.given, still=still)
+            lacking = [check for sizing in looked.whole[before:] for check in looked.failing(sizing)]
+            self.crowded[alike] += bool(lacking) and all(check.clause == ROOM for check in lacking)
 
     def _widen(self, gears: Geared, faces: Mapping[str, float], course: _Course) -> None:
         """Put gears into the queue with faces, and where these may not be so wide modules, that bearings may ask for.

@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
-from itertools import count
+from itertools import count, pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -346,11 +346,13 @@ def options(
     elif rules.standard_modules and len({part.stage for part in parts if not part.within}) == 1:
         yield from _best(context, parts, standard_grid(unit), demands)
     else:
-        around = (LEAST, MOST)
-        for step in STEPS:
-            found = next(_best(context, parts, fine_grid(unit, around, step), demands))
-            unit, around = _unit_of(context, parts[-1], found.sizes[-1]), (1.0 - step, 1.0 + step)
+        coarse = _best(context, parts, fine_grid(unit, (LEAST, MOST), STEPS[0]), demands)
+        found = next(coarse)
+        for before, step in pairwise(STEPS):
+            middle = _unit_of(context, parts[-1], found.sizes[-1])
+            found = next(_best(context, parts, fine_grid(middle, (1.0 - before, 1.0 + before), step), demands))
         yield found
+        yield from (option for option in coarse if option.nearness >= 1.0 - ROUNDING)
 
 
 def _as_given(context: Context, parts: Sequence[Part], unit: float) -> Option:

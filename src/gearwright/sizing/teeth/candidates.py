@@ -124,6 +124,8 @@ class StageTask:
     """Its life, where a standard sizes it on a grid."""
     around: MassBasis | None = None
     """What carries, encloses and cools its gears is estimated from it; None where nothing loads it."""
+    films: bool = False
+    """Whether a bevel pair is weighed with what its films ask for, too."""
     known: dict[tuple[int, int, int, int], tuple[float, ...]] = field(default_factory=dict, compare=False, repr=False)
     """Teeth of pinion or sun, of wheel or planet, number of planets, deviation of the ring -> m_n³ [m³], λ = b/m_n [-]
     and what is around its gears over m_n³ [kg/m³] at nominal load, as far as found."""

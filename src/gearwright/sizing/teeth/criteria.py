@@ -9,7 +9,19 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from gearwright.base import Bools, DesignError, Floats, Ints, Problem, Role, largest, text
+from gearwright.base import (
+    ROUNDING,
+    Bools,
+    DesignError,
+    Floats,
+    Ints,
+    Kind,
+    PartId,
+    Problem,
+    Role,
+    largest,
+    text,
+)
 from gearwright.sizing.rating import (
     BEARING_GAP,
     LEAST_TORQUE,
@@ -30,6 +42,8 @@ from gearwright.sizing.rating import (
     rating_of,
     stage_width_ratio,
     under_spectrum,
+    whole,
+    widest_bevel,
 )
 from gearwright.sizing.rough_mass import around_mass, oil_mass
 from gearwright.sizing.teeth.candidates import Ban, Front, StageTask, ring_teeth
@@ -315,7 +329,13 @@ def _problems(design: Design, bands: Set[str], tried: int) -> Iterator[Problem]:
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-def bevel_size(rating: Rating, rows: Sequence[Load], teeth: tuple[int, int], ratio: float) -> tuple[float, float]:
+ENLARGED, LEAST_STEP = 6, 0.02
+"""Larger modules that are tried of a bevel pair for its films, and by which part each is larger at least [-]."""
+
+
+def bevel_size(
+    rating: Rating, rows: Sequence[Load], teeth: tuple[int, int], ratio: float, *, films: bool = False
+) -> tuple[float, float]:
     """Return mean normal module and face width of a bevel pair under the heaviest case of each row [m].
 
     Args:
@@ -323,6 +343,7 @@ def bevel_size(rating: Rating, rows: Sequence[Load], teeth: tuple[int, int], rat
         rows: Loads of its rows, as a task of the search has them.
         teeth: z_1, z_2 [-].
         ratio: λ = b/m_mn of the widest face [-].
+        films: Whether its films count, too.
     """
     if not rows:
         return 0.0, 0.0
@@ -339,8 +360,23 @@ def bevel_size(rating: Rating, rows: Sequence[Load], teeth: tuple[int, int], rat
         outer = bevel_pair(teeth, module, ratio * module, rating).outer_module
         return next_standard(outer) if rules is not None and rules.standard_modules else outer
 
+    def with_films(module: float, width: float) -> float:
+        meshes = [LoadedMesh(rating, module, width, load, (load,), (0.0, 0.0)) for load in loaded]
+        strength, part = gap(module, width), PartId(Kind.STAGE, "bevel")
+        if strength < 1.0:
+            return strength
+        checks = (check for mesh in meshes for check in method.checks(method.rate(mesh), part, (part, part)))
+        return min((check.ratio for check in checks if check.ratio is not None), default=strength)
+
     outer = bevel_module(teeth, outer_of(under_spectrum(needed, ratio, gap, outer_of)), ratio, rating, gap)
-    width = bevel_width(teeth, outer, ratio, rating, gap)
+    for _ in range(ENLARGED if films else 0):
+        widest = whole(widest_bevel(teeth, outer, ratio, rating))
+        near = with_films(mean_module(teeth, outer, widest, rating), widest)
+        if near >= 1.0 - ROUNDING:
+            break
+        larger = outer / min(near, 1.0 - LEAST_STEP)
+        outer = next_standard(larger) if rules is not None and rules.standard_modules else larger
+    width = bevel_width(teeth, outer, ratio, rating, with_films if films else gap)
     return mean_module(teeth, outer, width, rating), width
 
 
@@ -510,7 +546,7 @@ def _sizes(ask: Ask, task: StageTask, discs: Floats, *, planets: int) -> Iterato
     small, large, ratios = (np.asarray(column).tolist() for column in (*ask.teeth, ask.width_ratio))
     if task.rating.kind == "bevel":
         for teeth, ratio in zip(zip(small, large, strict=True), ratios, strict=True):
-            mean, width = bevel_size(task.rating, task.rows, teeth, ratio)
+            mean, width = bevel_size(task.rating, task.rows, teeth, ratio, films=task.films)
             own = ask._replace(teeth=(np.array(teeth[:1]), np.array(teeth[1:])))
             (beside,) = _around(own, task, np.array([mean]), np.array([width]), planets=planets).tolist()
             yield mean * mean * mean, width / mean, beside / mean**3

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.base import ROUNDING, SIDES, Bools, DesignError, Floats, Problem, Role, largest
-from gearwright.sizing.rating import load_sharing, rating_of, worn_torque
+from gearwright.sizing.rating import MESHES, load_sharing, rating_of, worn_torque
 from gearwright.sizing.result import TeethSearch
 from gearwright.sizing.rough_mass import around_stage
 from gearwright.sizing.teeth.candidates import (
@@ -236,7 +236,9 @@ class Chosen(NamedTuple):
     """The same of every group of stages with one module, by the one that owns it [kg]."""
 
 
-def choose_teeth(design: Design, train: Train, areas: Mapping[str, float] | None = None) -> list[Chosen]:
+def choose_teeth(
+    design: Design, train: Train, areas: Mapping[str, float] | None = None, films: Collection[str] = ()
+) -> list[Chosen]:
     """Return the tooth number of every gear, and how many planets each set has, of the lightest gears first.
 
     As many of the lightest as the rules of the search size in full.
@@ -245,6 +247,7 @@ def choose_teeth(design: Design, train: Train, areas: Mapping[str, float] | None
         design: Given teeth are kept, those left out are chosen.
         train: Its graph.
         areas: Set -> least face times diameter of all its planets with which it is weighed [m²].
+        films: Bevel pairs that are weighed with what their films ask for, too.
 
     Raises:
         DesignError: If speeds are not determined, or a stage has no candidate; with what would do.
@@ -260,6 +263,7 @@ def choose_teeth(design: Design, train: Train, areas: Mapping[str, float] | None
     given, design = design, nominal.design
     tasks = [task_of(name, design, train, nominal, flow) for name in design.simple_stages]
     tasks = [replace(task, rating=replace(task.rating, least_area=(areas or {}).get(task.name, 0.0))) for task in tasks]
+    tasks = [_met_before(replace(task, films=task.name in films)) for task in tasks]
     start = Front(
         {}, {shaft: np.array([nominal.speeds[shaft]]) for shaft in kept}, {}, {},
         tally={"combinations": np.ones(1), "second": np.full(1, np.inf)},
@@ -288,6 +292,20 @@ def choose_teeth(design: Design, train: Train, areas: Mapping[str, float] | None
         )
         for place in (first, *others)[: design.teeth.sized]
     ]
+
+
+def _met_before(task: StageTask) -> StageTask:
+    """Return a stage with the sizes that were found of it before, where it did the same: of other trains of a closure.
+
+    Args:
+        task: The stage.
+    """
+    met = MESHES.now().of(("teeth of", task.name, task.torque, task.speed), list)
+    known = next((known for _, (own, known) in met if own == task), None)
+    if known is None:
+        met.append((task.rating, (task, task.known)))
+        return task
+    return replace(task, known=known)
 
 
 def _chosen(design: Design, front: Front, place: int, search: TeethSearch | None) -> Chosen:
