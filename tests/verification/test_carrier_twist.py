@@ -7,6 +7,7 @@ the free ring half-way between bridges, the other ring held where bridges stand 
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -84,7 +85,7 @@ def frame_lag(force, frame, moduli):
             nodes.append(nodes[foot] + np.array([0.0, 0.0, frame.length * part / PIECES]))
             places.append(len(nodes) - 1)
         places.append(steps + foot)
-        beams += [(one, other, nodes[foot], bridge) for one, other in zip(places, places[1:], strict=False)]
+        beams += [(one, other, nodes[foot], bridge) for one, other in pairwise(places)]
     stiff = np.zeros((6 * len(nodes), 6 * len(nodes)))
     for one, other, up, section in beams:
         rows = [*range(6 * one, 6 * one + 6), *range(6 * other, 6 * other + 6)]
