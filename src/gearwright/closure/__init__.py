@@ -17,6 +17,7 @@ from gearwright.closure.close import (
     contradictions,
     nearest_variant,
 )
+from gearwright.closure.close_arranged import BearingRound, ClosedArrangement, close_arranged
 from gearwright.closure.eased import Eased, eased
 from gearwright.closure.proportion import teeth_of
 from gearwright.closure.requirements import (
@@ -39,7 +40,9 @@ __all__ = [
     "FREEDOMS",
     "REQUIREMENTS",
     "Arranged",
+    "BearingRound",
     "Closed",
+    "ClosedArrangement",
     "Contradiction",
     "Course",
     "Eased",
@@ -60,6 +63,7 @@ __all__ = [
     "as_sized",
     "best_so_far",
     "close",
+    "close_arranged",
     "contradictions",
     "eased",
     "nearest_variant",

@@ -1,0 +1,415 @@
+"""Closure with shafts in bearings: what critical speeds, peaks and room ask for once bearings are in the gearbox.
+
+A closure keeps critical speeds away from operating ones while shafts are as short as their gears. In bearings they are
+longer, thicker and heavier, so that modes move. Here a gearbox is closed, put into bearings, closed again with its
+shafts as heavy and as stiff as they then are, and put into bearings again, until its review passes.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import NamedTuple
+
+from gearwright.base import (
+    Check,
+    DesignError,
+    GearwrightError,
+    Kind,
+    Mass,
+    PartId,
+    Ratio,
+    Shown,
+    accepted,
+    lacking_of,
+    verb,
+    worst,
+)
+from gearwright.closure.arrange import Arranged, arrange
+from gearwright.closure.close import close
+from gearwright.closure.moves import standard_modules, words_of
+from gearwright.closure.proportion import searched
+from gearwright.closure.requirements import Closed, Wishes, requirement_of, wanted
+from gearwright.dynamics.equations import modes
+from gearwright.dynamics.sharing import sharing_checks
+from gearwright.dynamics.vibration import critical_speeds, peak_checks, resonance_checks
+from gearwright.sizing import Sizing, size
+from gearwright.sizing.bearing_arrangement import bare_shafts
+from gearwright.sizing.making import built_checks
+from gearwright.sizing.mass import complete_mass
+from gearwright.sizing.rating import MESHES
+from gearwright.spec import Design, design_text, edited
+from gearwright.spec.design import NOTHING_GIVEN, module_owners
+from gearwright.spec.edit import Value
+
+# ----------------------------------------------------------------------------------------------------------------------
+# What comes of it.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class BearingRound:
+    """A gearbox that was put into bearings."""
+
+    what: str
+    """What was moved before, in words."""
+    mass: Mass
+    """Complete mass [kg]."""
+    lacking: Ratio
+    """What its failing checks lack of their limits together [-]."""
+    worst: str
+    """The one that lacks most, with its margin; empty where none fails."""
+
+
+@dataclass(frozen=True, repr=False)
+class ClosedArrangement(Shown):
+    """A closed gearbox with bearings on every shaft that needs them."""
+
+    closed: Closed
+    """Before its shafts stand in bearings, with the sizes that it has with them."""
+    arranged: Arranged | None
+    """In bearings; None where no shaft needs any, or one finds none."""
+    checks: tuple[Check, ...]
+    """Everything that is looked at of the gearbox as it stands, worst first."""
+    rounds: tuple[BearingRound, ...]
+    """Gearboxes that were put into bearings, one after another."""
+    searched: tuple[str, ...]
+    """Freedoms that were moved with bearings in the gearbox, in words."""
+    without_bearings: str = ""
+    """Shafts that need bearings and find none, and why; empty where all have them."""
+
+    @property
+    def sizing(self) -> Sizing:
+        """As it stands."""
+        return self.closed.sizing if self.arranged is None else self.arranged.sizing
+
+    @property
+    def design(self) -> Design:
+        """As it stands."""
+        return self.sizing.design
+
+    @property
+    def text(self) -> str:
+        """The design as a file."""
+        return design_text(self.design)
+
+    @property
+    def failing(self) -> tuple[Check, ...]:
+        """Checks that fail."""
+        return tuple(check for check in self.checks if check.fails)
+
+    @cached_property
+    def order(self) -> tuple[bool, float, float]:
+        """What stands in bearings comes first, then what meets more, then what is lighter."""
+        return bool(self.without_bearings), round(lacking_of(self.failing), 6), complete_mass(self.sizing).total
+
+    @property
+    def left_open(self) -> tuple[Check, ...]:
+        """Checks that fail in bearings alone: the closure before them met these."""
+        known = {row.check.name for row in self.closed.unmet}
+        return tuple(check for check in self.failing if check.name not in known)
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# The verb.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+MOST_ROUNDS = 4
+"""How often a gearbox is put into bearings, at most [-]."""
+MODULES = (1, 2, 3)
+"""Steps of ISO 54 by which modules are larger where a shaft finds no bearings that go over its gear [-]."""
+
+
+@verb
+@MESHES.sharing()
+def close_arranged(
+    design: Design,
+    closed: Closed | None = None,
+    *,
+    wishes: Wishes | None = None,
+    tell: Callable[[str], None] | None = None,
+    keep: Callable[[ClosedArrangement], None] | None = None,
+) -> ClosedArrangement:
+    """Return the lightest gearbox in bearings that meets everything, of those to which what the design leaves open
+    leads, or the one that lacks least.
+
+    Closed and put into bearings, other diameters and bores of its shafts are looked at. Where checks fail then that did
+    not before, it is closed again with its shafts as stiff and as heavy as they stand, by other teeth and modules, and
+    put into bearings again, at most four times.
+
+    Args:
+        design: With the freedoms that are left; what it gives is kept.
+        closed: Of it, where that is known.
+        wishes: What is asked of the closure; left out: as it was closed, or as the design says.
+        tell: Called with what is being done.
+        keep: Called with the best so far, wherever there is a better one.
+
+    Raises:
+        DesignError: If the design cannot be sized.
+    """
+    asked = wishes or (Wishes() if closed is None else closed.wishes)
+    say = tell or _silent
+    own = close(design, wishes=asked, tell=say) if closed is None else closed
+    course = _Course(design, asked, say, keep)
+    found = course.put(own, "closed")
+    if found.without_bearings:
+        found = course.with_larger_modules(found) or found
+    for _ in range(MOST_ROUNDS - 1):
+        if found.arranged is None or not found.left_open:
+            break
+        again = course.closed_with(found.arranged.sizing)
+        if again is None:
+            break
+        found = course.put(*again)
+    assert course.best is not None
+    return replace(course.best, rounds=tuple(course.rounds), searched=tuple(course.searched))
+
+
+def _silent(_: str) -> None:
+    """Say nothing."""
+
+
+class _Course:
+    """What is asked for, and what was found so far."""
+
+    def __init__(
+        self,
+        design: Design,
+        wishes: Wishes,
+        say: Callable[[str], None],
+        keep: Callable[[ClosedArrangement], None] | None,
+    ) -> None:
+        self.design, self.wishes, self.say, self.keep = design, wishes, say, keep
+        self.best: ClosedArrangement | None = None
+        self.rounds = list[BearingRound]()
+        self.searched = dict[str, None]()
+        self.known = set[str]()
+        """Texts of what was put into bearings."""
+
+    def put(self, closed: Closed, what: str) -> ClosedArrangement:
+        """Return a closed gearbox in bearings; one with other shafts where these let it pass."""
+        self.say(f"putting shafts into bearings, round {len(self.rounds) + 1}")
+        found = self._noted(_put(closed, self.design), what)
+        self.known.add(design_text(closed.design))
+        if any(requirement_of(check) == RESONANT for check in found.left_open):
+            self.say("looking for other diameters of shafts")
+            other, words = self._with_other_shafts(found)
+            if words:
+                other = self._noted(other, words)
+                return found if other.left_open else other
+        return found
+
+    def _noted(self, found: ClosedArrangement, what: str) -> ClosedArrangement:
+        self.rounds.append(_round(found, what))
+        if self.best is None or found.order < self.best.order:
+            self.best = found
+            if self.keep is not None:
+                self.keep(found)
+        return found
+
+    def closed_with(self, stands: Sizing) -> tuple[Closed, str] | None:
+        """Return the gearbox closed with its shafts as they stand; None where it is one that was known before."""
+        felt = dict(shafts_as_they_stand(self.design, stands))
+        self.say("closing again with the shafts as they stand")
+        try:
+            again = close(edited(self.design, felt), wishes=self.wishes, tell=self.say)
+        except DesignError:
+            return None
+        again = replace(again, design=edited(again.design, dict.fromkeys(felt)))
+        self.searched |= dict.fromkeys(again.effort.searched)
+        return None if design_text(again.design) in self.known else (again, _moves(again))
+
+    def with_larger_modules(self, bare: ClosedArrangement) -> ClosedArrangement | None:
+        """Return the first gearbox of larger modules whose shafts all find bearings; None where there is none."""
+        for table, own in _open_modules(self.design, bare.sizing):
+            for value in standard_modules(own, MODULES):
+                change = {f"{table}.module_mm": value / _MM}
+                self.say(f"closing with {words_of(change)}")
+                self.searched[f"module of {table.rpartition('.')[2]}"] = None
+                try:
+                    again = close(edited(self.design, change), wishes=self.wishes, tell=self.say)
+                except GearwrightError:
+                    continue
+                found = self.put(again, words_of(change))
+                if not found.without_bearings:
+                    return found
+        return None
+
+    def _with_other_shafts(self, found: ClosedArrangement) -> tuple[ClosedArrangement, str]:
+        """Return a gearbox with the shafts that let it lack least, and what was changed; empty where nothing helps."""
+        chosen = dict[str, Value]()
+        for _ in range(MOST_SHAFTS):
+            if not found.left_open:
+                break
+            tried = sorted(_other_shafts(self.design, found, self.searched), key=lambda one: one.order)
+            better = next(_better(found, tried[:CONFIRMED]), None)
+            if better is None:
+                break
+            found, change = better
+            chosen |= change
+        return found, words_of(chosen)
+
+
+def _open_modules(design: Design, sizing: Sizing) -> Iterator[tuple[str, float]]:
+    """Yield table and module [m] of the cylindrical stages that leave theirs open."""
+    owners, modules = module_owners(design), {gear.stage: gear.module for gear in sizing.gears}
+    for name in searched(design):
+        if design.simple_stages[name].module is None and owners[name] == name:
+            yield design.table(name), modules[name]
+
+
+def _put(closed: Closed, design: Design) -> ClosedArrangement:
+    """Return a closed gearbox in bearings, judged as it stands."""
+    stripped = _without_diameters(closed.design, design)
+    sizing, arranged, bare = closed.sizing, None, ""
+    if names := bare_shafts(sizing):
+        try:
+            arranged = arrange(stripped)
+            sizing = arranged.sizing
+        except DesignError as error:
+            why = "; ".join(f"{problem.path}: {problem.message}" for problem in error.problems)
+            bare = f"{', '.join(names)} ({why})"
+    return ClosedArrangement(closed, arranged, judged_whole(sizing, closed.wishes), (), (), bare)
+
+
+def judged_whole(sizing: Sizing, wishes: Wishes) -> tuple[Check, ...]:
+    """Return every check of a gearbox as it stands, with peaks and resonances, worst first.
+
+    Args:
+        sizing: With bearings on its shafts.
+        wishes: With the requirements that do not count.
+    """
+    moved = [*peak_checks(sizing), *resonance_checks(sizing)]
+    checks = [*sizing.checks, *built_checks(sizing), *sharing_checks(sizing), *moved]
+    return accepted(wanted(checks, wishes.left_out), sizing.design.waivers)
+
+
+def _without_diameters(closed: Design, design: Design) -> Design:
+    """Return a closed design without the diameters of shafts that the closure wrote: bearings ask for others."""
+    given = {name for name, layout in design.layout.items() if layout.diameter is not None}
+    wrote = [name for name, layout in closed.layout.items() if layout.diameter is not None and name not in given]
+    return edited(closed, {f"layout.{name}.diameter_mm": None for name in wrote}) if wrote else closed
+
+
+def _round(found: ClosedArrangement, what: str) -> BearingRound:
+    first = worst(found.failing)
+    words = "" if first is None else f"{first.name} {first.margin or 0.0:.4g}"
+    return BearingRound(what, complete_mass(found.sizing).total, lacking_of(found.failing), words)
+
+
+def _moves(closed: Closed) -> str:
+    """Return teeth and modules of a closed gearbox in words."""
+    stages = dict[str, list[str]]()
+    for gear in closed.sizing.gears:
+        stages.setdefault(f"{gear.stage} {gear.module / _MM:.4g} mm", []).append(str(gear.teeth))
+    return "; ".join(f"{name}, {'/'.join(teeth)} teeth" for name, teeth in stages.items())
+
+
+def shafts_as_they_stand(design: Design, stands: Sizing) -> Iterator[tuple[str, Value]]:
+    """Yield mass, inertia and torsional stiffness of shafts in bearings, where the design gives none.
+
+    Args:
+        design: With its freedoms.
+        stands: With its shafts in bearings.
+    """
+    for shaft in stands.shafts:
+        layout = design.layout.get(shaft.name, NOTHING_GIVEN)
+        path = f"layout.{shaft.name}"
+        if layout.mass is None and shaft.mass > 0.0:
+            yield f"{path}.mass_kg", shaft.mass
+        if layout.inertia is None:
+            yield f"{path}.inertia_kg_m2", shaft.inertia
+        if layout.torsional_stiffness is None and math.isfinite(shaft.stiffness):
+            yield f"{path}.torsional_stiffness_nm_rad", shaft.stiffness
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Other diameters and bores of shafts in bearings: a shaft is the stiffness and the inertia that a mode feels.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+RESONANT = "critical speeds"
+"""Requirement that other shafts move."""
+TWISTS = 0.05
+"""Part of a mode's elastic energy in a shaft from which another diameter moves it [-]."""
+THICKER = (1.08, 1.16, 1.25, 1.35, 1.5, 1.75)
+"""Factors on the thickest diameter of a shaft between its gears [-]."""
+BORES = (0.0, 0.3, 0.5, 0.6, 0.7)
+"""Bore over diameter [-]."""
+MOST_SHAFTS = 3
+"""Changes of shafts that are made one after another [-]."""
+CONFIRMED = 3
+"""The most promising ones that are judged in full [-]."""
+STEP = 1e-3
+"""To which diameters are made larger [m]."""
+_MM = 1e-3
+
+
+class _Tried(NamedTuple):
+    """A gearbox with another shaft, judged without a run."""
+
+    change: Mapping[str, Value]
+    sizing: Sizing
+    lacks: float
+
+    @property
+    def order(self) -> tuple[float, float]:
+        """What meets more comes first, then what is lighter."""
+        return round(self.lacks, 6), self.sizing.mass
+
+
+def _other_shafts(design: Design, found: ClosedArrangement, searched: dict[str, None]) -> Iterator[_Tried]:
+    """Yield the gearbox with another diameter or bore of one of its shafts, where the design leaves that open."""
+    if found.arranged is None:
+        return
+    for change in _changes_of_shafts(design, found.arranged.sizing, searched):
+        try:
+            sizing = size(edited(found.arranged.design, change))
+            checks = wanted([*sizing.checks, *resonance_checks(sizing)], found.closed.wishes.left_out)
+        except GearwrightError:
+            continue
+        yield _Tried(change, sizing, lacking_of([check for check in checks if check.fails and not check.waiver]))
+
+
+def _changes_of_shafts(design: Design, stands: Sizing, searched: dict[str, None]) -> Iterator[Mapping[str, Value]]:
+    """Yield other diameters and bores of built shafts: path -> value."""
+    twisting = _twisting(stands)
+    for shaft in stands.shafts:
+        layout = design.layout.get(shaft.name, NOTHING_GIVEN)
+        given = (layout.diameter, layout.torsional_stiffness, layout.inertia)
+        if shaft.name not in twisting or layout.as_given or any(value is not None for value in given):
+            continue
+        searched[f"diameter of {shaft.name}"] = None
+        thick = {math.ceil(factor * shaft.diameter / STEP - 1e-6) * STEP for factor in THICKER}
+        yield from ({f"layout.{shaft.name}.diameter_mm": round(value / _MM, 6)} for value in sorted(thick))
+        if layout.bore is None and layout.bore_ratio is None and "bore_ratio" not in design.shafting.model_fields_set:
+            yield from ({f"layout.{shaft.name}.bore_ratio": ratio} for ratio in BORES)
+
+
+def _twisting(stands: Sizing) -> set[str]:
+    """Return the built shafts whose twist holds some of the energy of a mode that lies too near to an order."""
+    found, built = set[str](), [shaft.name for shaft in stands.built_shafts]
+    for case in critical_speeds(stands):
+        near = [critical for critical in case.nearest if critical.in_resonance]
+        energy = modes(case.system).line_energy if near else None
+        for critical in near if energy is not None else ():
+            for name in built:
+                lines = list(case.system.labels.places_of(PartId(Kind.SHAFT, name)))
+                if energy[lines, critical.modes[0] - 1].sum() > TWISTS:
+                    found.add(name)
+    return found
+
+
+def _better(
+    found: ClosedArrangement, tried: Iterable[_Tried]
+) -> Iterator[tuple[ClosedArrangement, Mapping[str, Value]]]:
+    """Yield gearboxes with another shaft that lack less, judged in full."""
+    for one in tried:
+        assert found.arranged is not None
+        arranged = replace(found.arranged, design=one.sizing.design, sizing=one.sizing)
+        other = replace(found, arranged=arranged, checks=judged_whole(one.sizing, found.closed.wishes))
+        if other.order < found.order:
+            yield other, one.change
