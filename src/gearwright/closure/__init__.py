@@ -17,7 +17,7 @@ from gearwright.closure.close import (
     contradictions,
     nearest_variant,
 )
-from gearwright.closure.close_arranged import BearingRound, ClosedArrangement, close_arranged
+from gearwright.closure.close_arranged import BearingRound, ClosedArrangement, close_arranged, has_open_sizes
 from gearwright.closure.eased import Eased, eased
 from gearwright.closure.proportion import teeth_of
 from gearwright.closure.requirements import (
@@ -66,6 +66,7 @@ __all__ = [
     "close_arranged",
     "contradictions",
     "eased",
+    "has_open_sizes",
     "nearest_variant",
     "requirement_of",
     "teeth_of",

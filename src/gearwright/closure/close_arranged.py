@@ -11,9 +11,11 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import pairwise
 from typing import NamedTuple
 
 from gearwright.base import (
+    SIDES,
     Check,
     DesignError,
     GearwrightError,
@@ -29,9 +31,11 @@ from gearwright.base import (
 )
 from gearwright.closure.arrange import Arranged, arrange
 from gearwright.closure.close import close
+from gearwright.closure.loop import start_of
 from gearwright.closure.moves import standard_modules, words_of
 from gearwright.closure.proportion import searched
 from gearwright.closure.requirements import Closed, Wishes, requirement_of, wanted
+from gearwright.dynamics.assembly import assemble
 from gearwright.dynamics.equations import modes
 from gearwright.dynamics.sharing import sharing_checks
 from gearwright.dynamics.vibration import critical_speeds, peak_checks, resonance_checks
@@ -41,7 +45,7 @@ from gearwright.sizing.making import built_checks
 from gearwright.sizing.mass import complete_mass
 from gearwright.sizing.rating import MESHES
 from gearwright.spec import Design, design_text, edited
-from gearwright.spec.design import NOTHING_GIVEN, module_owners
+from gearwright.spec.design import NOTHING_GIVEN, Pair, module_owners
 from gearwright.spec.edit import Value
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -54,9 +58,11 @@ class BearingRound:
     """A gearbox that was put into bearings."""
 
     what: str
-    """What was moved before, in words."""
+    """What was moved of the gearbox as it was closed first, in words; empty of that one."""
+    before: Mass
+    """Complete mass as it was closed for it, without bearings [kg]."""
     mass: Mass
-    """Complete mass [kg]."""
+    """Complete mass in bearings [kg]."""
     lacking: Ratio
     """What its failing checks lack of their limits together [-]."""
     worst: str
@@ -79,6 +85,10 @@ class ClosedArrangement(Shown):
     """Freedoms that were moved with bearings in the gearbox, in words."""
     without_bearings: str = ""
     """Shafts that need bearings and find none, and why; empty where all have them."""
+    what: str = ""
+    """What was moved of the gearbox as it was closed first, in words; empty where nothing was."""
+    unmet: frozenset[str] = frozenset()
+    """Names of checks that the closure without bearings did not meet, so that nothing is moved for them here."""
 
     @property
     def sizing(self) -> Sizing:
@@ -96,6 +106,11 @@ class ClosedArrangement(Shown):
         return design_text(self.design)
 
     @property
+    def mass(self) -> Mass:
+        """Complete mass [kg]."""
+        return complete_mass(self.sizing).total
+
+    @property
     def failing(self) -> tuple[Check, ...]:
         """Checks that fail."""
         return tuple(check for check in self.checks if check.fails)
@@ -103,13 +118,17 @@ class ClosedArrangement(Shown):
     @cached_property
     def order(self) -> tuple[bool, float, float]:
         """What stands in bearings comes first, then what meets more, then what is lighter."""
-        return bool(self.without_bearings), round(lacking_of(self.failing), 6), complete_mass(self.sizing).total
+        return bool(self.without_bearings), round(lacking_of(self.failing), 6), self.mass
 
     @property
     def left_open(self) -> tuple[Check, ...]:
-        """Checks that fail in bearings alone: the closure before them met these."""
-        known = {row.check.name for row in self.closed.unmet}
-        return tuple(check for check in self.failing if check.name not in known)
+        """Checks that fail in bearings alone: the closure without them met these."""
+        return tuple(check for check in self.failing if check.name not in self.unmet)
+
+    @property
+    def passes(self) -> bool:
+        """Whether all its shafts stand in bearings, and these leave nothing unmet."""
+        return not (self.left_open or self.without_bearings)
 
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -119,8 +138,15 @@ class ClosedArrangement(Shown):
 
 MOST_ROUNDS = 4
 """How often a gearbox is put into bearings, at most [-]."""
-MODULES = (1, 2, 3)
-"""Steps of ISO 54 by which modules are larger where a shaft finds no bearings that go over its gear [-]."""
+MODULES = (-1, 1, 2, 3)
+"""Steps of ISO 54 by which the module of a stage is changed where closing again leads to what was known before, or
+where a shaft finds no bearings that go over its gear [-]."""
+WHEELS = (-18, -10, -5, 5, 10, 18)
+"""About how many teeth one wheel has more, the wheel of the next pair fewer by as much of the ratio [-]."""
+LARGEST_RATIO = 10
+"""Teeth of a wheel over those of its pinion, at most [-]."""
+MOST_SIZES = 5
+"""The lightest of these that are put into bearings [-]."""
 
 
 @verb
@@ -153,19 +179,29 @@ def close_arranged(
     asked = wishes or (Wishes() if closed is None else closed.wishes)
     say = tell or _silent
     own = close(design, wishes=asked, tell=say) if closed is None else closed
-    course = _Course(design, asked, say, keep)
-    found = course.put(own, "closed")
+    course = _Course(design, asked, say, keep, frozenset(row.check.name for row in own.unmet))
+    found = course.put(own)
     if found.without_bearings:
-        found = course.with_larger_modules(found) or found
+        found = course.with_other_sizes(found)
     for _ in range(MOST_ROUNDS - 1):
-        if found.arranged is None or not found.left_open:
-            break
-        again = course.closed_with(found.arranged.sizing)
+        again = course.closed_with(found.arranged.sizing) if found.arranged and found.left_open else None
         if again is None:
             break
         found = course.put(*again)
-    assert course.best is not None
-    return replace(course.best, rounds=tuple(course.rounds), searched=tuple(course.searched))
+    best = course.best or found
+    if best.arranged and best.left_open:
+        course.with_other_sizes(best)
+    return replace(course.best or best, rounds=tuple(course.rounds), searched=tuple(course.searched))
+
+
+def has_open_sizes(design: Design, wishes: Wishes | None = None) -> bool:
+    """Tell whether a design leaves sizes of cylindrical stages open, so that a closure can move them.
+
+    Args:
+        design: As read.
+        wishes: What is asked of the closure; left out: as the design says.
+    """
+    return bool(searched(start_of(design, wishes or Wishes())))
 
 
 def _silent(_: str) -> None:
@@ -181,29 +217,30 @@ class _Course:
         wishes: Wishes,
         say: Callable[[str], None],
         keep: Callable[[ClosedArrangement], None] | None,
+        unmet: frozenset[str],
     ) -> None:
-        self.design, self.wishes, self.say, self.keep = design, wishes, say, keep
+        self.design, self.wishes, self.say, self.keep, self.unmet = design, wishes, say, keep, unmet
         self.best: ClosedArrangement | None = None
         self.rounds = list[BearingRound]()
         self.searched = dict[str, None]()
         self.known = set[str]()
         """Texts of what was put into bearings."""
 
-    def put(self, closed: Closed, what: str) -> ClosedArrangement:
+    def put(self, closed: Closed, what: str = "") -> ClosedArrangement:
         """Return a closed gearbox in bearings; one with other shafts where these let it pass."""
         self.say(f"putting shafts into bearings, round {len(self.rounds) + 1}")
-        found = self._noted(_put(closed, self.design), what)
+        found = self._noted(replace(_put(closed, self.design), what=what, unmet=self.unmet))
         self.known.add(design_text(closed.design))
         if any(requirement_of(check) == RESONANT for check in found.left_open):
             self.say("looking for other diameters of shafts")
             other, words = self._with_other_shafts(found)
             if words:
-                other = self._noted(other, words)
+                other = self._noted(replace(other, what="; ".join(filter(None, (what, words)))))
                 return found if other.left_open else other
         return found
 
-    def _noted(self, found: ClosedArrangement, what: str) -> ClosedArrangement:
-        self.rounds.append(_round(found, what))
+    def _noted(self, found: ClosedArrangement) -> ClosedArrangement:
+        self.rounds.append(_round(found))
         if self.best is None or found.order < self.best.order:
             self.best = found
             if self.keep is not None:
@@ -218,25 +255,66 @@ class _Course:
             again = close(edited(self.design, felt), wishes=self.wishes, tell=self.say)
         except DesignError:
             return None
-        again = replace(again, design=edited(again.design, dict.fromkeys(felt)))
+        again = _without(again, felt)
         self.searched |= dict.fromkeys(again.effort.searched)
         return None if design_text(again.design) in self.known else (again, _moves(again))
 
-    def with_larger_modules(self, bare: ClosedArrangement) -> ClosedArrangement | None:
-        """Return the first gearbox of larger modules whose shafts all find bearings; None where there is none."""
-        for table, own in _open_modules(self.design, bare.sizing):
-            for value in standard_modules(own, MODULES):
-                change = {f"{table}.module_mm": value / _MM}
-                self.say(f"closing with {words_of(change)}")
-                self.searched[f"module of {table.rpartition('.')[2]}"] = None
-                try:
-                    again = close(edited(self.design, change), wishes=self.wishes, tell=self.say)
-                except GearwrightError:
-                    continue
-                found = self.put(again, words_of(change))
-                if not found.without_bearings:
-                    return found
-        return None
+    def with_other_sizes(self, found: ClosedArrangement) -> ClosedArrangement:
+        """Return the lightest gearbox of other modules or ratios that passes in bearings, or the one given.
+
+        One that finds no bearings becomes the first that finds some, and what follows keeps what was changed for it.
+
+        Args:
+            found: That lacks bearings, or something with them.
+        """
+        felt = {} if found.arranged is None else dict(shafts_as_they_stand(self.design, found.arranged.sizing))
+        rows = sorted(self._other_sizes(found, felt), key=lambda row: row[0].whole.total)
+        for again, change in rows[:MOST_SIZES]:
+            other = self.put(again, words_of(change))
+            if found.without_bearings and not other.without_bearings:
+                self.design = edited(self.design, change)
+                return other
+            if other.passes:
+                return other
+        return found
+
+    def _other_sizes(
+        self, found: ClosedArrangement, felt: Mapping[str, Value]
+    ) -> Iterator[tuple[Closed, Mapping[str, Value]]]:
+        """Yield the gearbox closed with another module or ratio of one of its stages, and what was changed."""
+        for change in (*self._modules(found.closed.sizing), *self._ratios(found.closed.sizing)):
+            self.say(f"closing with {words_of(change)}")
+            try:
+                again = close(edited(self.design, {**felt, **change}), wishes=self.wishes, tell=self.say)
+            except GearwrightError:
+                continue
+            again = _without(again, felt)
+            if self.unmet >= {row.check.name for row in again.unmet} and design_text(again.design) not in self.known:
+                yield again, change
+
+    def _modules(self, sizing: Sizing) -> Iterator[Mapping[str, Value]]:
+        """Yield another module of one stage, where the design leaves it open: path -> value."""
+        owners, modules = module_owners(self.design), {gear.stage: gear.module for gear in sizing.gears}
+        for name in searched(self.design):
+            if self.design.simple_stages[name].module is None and owners[name] == name:
+                self.searched[f"module of {name}"] = None
+                own = modules[name] / _MM
+                values = (value for value in standard_modules(modules[name], MODULES) if abs(value / own - 1.0) > 1e-9)
+                yield from ({f"{self.design.table(name)}.module_mm": value} for value in values)
+
+    def _ratios(self, sizing: Sizing) -> Iterator[Mapping[str, Value]]:
+        """Yield other teeth of two wheels whose pinions are given, so that both ratios together stay: path -> value."""
+        design, teeth = self.design, sizing.teeth
+        free = [name for name, pair in design.pairs.items() if pair.pinion_teeth is not None and _is_free(pair)]
+        for first, second in pairwise(free):
+            self.searched[f"ratios of {first} and {second}"] = None
+            pinions, wheels = ([teeth[f"{name}.{side}"] for name in (first, second)] for side in SIDES)
+            allowed = [_wheels(pinion, hunting=design.teeth.hunting) for pinion in pinions]
+            for step in WHEELS:
+                other = min(allowed[0], key=lambda count: abs(count - wheels[0] - step))
+                beside = min(allowed[1], key=lambda count: abs(count - wheels[0] * wheels[1] / other))
+                if other != wheels[0]:
+                    yield {f"pairs.{first}.wheel_teeth": other, f"pairs.{second}.wheel_teeth": beside}
 
     def _with_other_shafts(self, found: ClosedArrangement) -> tuple[ClosedArrangement, str]:
         """Return a gearbox with the shafts that let it lack least, and what was changed; empty where nothing helps."""
@@ -253,12 +331,20 @@ class _Course:
         return found, words_of(chosen)
 
 
-def _open_modules(design: Design, sizing: Sizing) -> Iterator[tuple[str, float]]:
-    """Yield table and module [m] of the cylindrical stages that leave theirs open."""
-    owners, modules = module_owners(design), {gear.stage: gear.module for gear in sizing.gears}
-    for name in searched(design):
-        if design.simple_stages[name].module is None and owners[name] == name:
-            yield design.table(name), modules[name]
+def _without(closed: Closed, felt: Mapping[str, Value]) -> Closed:
+    """Return a closed gearbox without what it was told of its shafts."""
+    design = edited(closed.design, dict.fromkeys(felt)) if felt else closed.design
+    return replace(closed, design=design, sizing=size(design))
+
+
+def _wheels(pinion: int, *, hunting: bool) -> list[int]:
+    """Return the teeth that a wheel may have beside a pinion, without common factors where teeth are to hunt."""
+    return [count for count in range(pinion, LARGEST_RATIO * pinion) if not hunting or math.gcd(pinion, count) == 1]
+
+
+def _is_free(pair: Pair) -> bool:
+    """Tell whether the wheel of a cylindrical pair follows from its ratio, and that from the speeds around it."""
+    return pair.kind == "cylindrical" and pair.wheel_teeth is None and pair.ratio is None and pair.coaxial_with is None
 
 
 def _put(closed: Closed, design: Design) -> ClosedArrangement:
@@ -294,10 +380,12 @@ def _without_diameters(closed: Design, design: Design) -> Design:
     return edited(closed, {f"layout.{name}.diameter_mm": None for name in wrote}) if wrote else closed
 
 
-def _round(found: ClosedArrangement, what: str) -> BearingRound:
+def _round(found: ClosedArrangement) -> BearingRound:
     first = worst(found.failing)
     words = "" if first is None else f"{first.name} {first.margin or 0.0:.4g}"
-    return BearingRound(what, complete_mass(found.sizing).total, lacking_of(found.failing), words)
+    return BearingRound(
+        found.what, complete_mass(found.closed.sizing).total, found.mass, lacking_of(found.failing), words
+    )
 
 
 def _moves(closed: Closed) -> str:
@@ -311,19 +399,22 @@ def _moves(closed: Closed) -> str:
 def shafts_as_they_stand(design: Design, stands: Sizing) -> Iterator[tuple[str, Value]]:
     """Yield mass, inertia and torsional stiffness of shafts in bearings, where the design gives none.
 
+    The stiffness is that of what twists: between the outermost bodies on the shaft, not of the ends beyond them.
+
     Args:
         design: With its freedoms.
         stands: With its shafts in bearings.
     """
+    system = assemble(stands, next(iter(stands.flows)))
     for shaft in stands.shafts:
         layout = design.layout.get(shaft.name, NOTHING_GIVEN)
-        path = f"layout.{shaft.name}"
+        path, lines = f"layout.{shaft.name}", list(system.labels.places_of(PartId(Kind.SHAFT, shaft.name)))
         if layout.mass is None and shaft.mass > 0.0:
             yield f"{path}.mass_kg", shaft.mass
         if layout.inertia is None:
             yield f"{path}.inertia_kg_m2", shaft.inertia
-        if layout.torsional_stiffness is None and math.isfinite(shaft.stiffness):
-            yield f"{path}.torsional_stiffness_nm_rad", shaft.stiffness
+        if layout.torsional_stiffness is None and lines:
+            yield f"{path}.torsional_stiffness_nm_rad", 1.0 / float((1.0 / system.arrays.stiffness[lines]).sum())
 
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -393,13 +484,14 @@ def _twisting(stands: Sizing) -> set[str]:
     """Return the built shafts whose twist holds some of the energy of a mode that lies too near to an order."""
     found, built = set[str](), [shaft.name for shaft in stands.built_shafts]
     for case in critical_speeds(stands):
-        near = [critical for critical in case.nearest if critical.in_resonance]
-        energy = modes(case.system).line_energy if near else None
-        for critical in near if energy is not None else ():
-            for name in built:
-                lines = list(case.system.labels.places_of(PartId(Kind.SHAFT, name)))
-                if energy[lines, critical.modes[0] - 1].sum() > TWISTS:
-                    found.add(name)
+        near = [critical.modes[0] - 1 for critical in case.nearest if critical.in_resonance]
+        if not near:
+            continue
+        energy = modes(case.system).line_energy[:, near]
+        for name in built:
+            lines = list(case.system.labels.places_of(PartId(Kind.SHAFT, name)))
+            if energy[lines].sum(axis=0).max() > TWISTS:
+                found.add(name)
     return found
 
 
