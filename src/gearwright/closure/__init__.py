@@ -17,7 +17,13 @@ from gearwright.closure.close import (
     contradictions,
     nearest_variant,
 )
-from gearwright.closure.close_arranged import BearingRound, ClosedArrangement, close_arranged, has_open_sizes
+from gearwright.closure.close_arranged import (
+    BearingRound,
+    ClosedArrangement,
+    as_compared,
+    close_arranged,
+    has_open_sizes,
+)
 from gearwright.closure.eased import Eased, eased
 from gearwright.closure.proportion import teeth_of
 from gearwright.closure.requirements import (
@@ -60,6 +66,7 @@ __all__ = [
     "Variants",
     "Wishes",
     "arrange",
+    "as_compared",
     "as_sized",
     "best_so_far",
     "close",

@@ -44,8 +44,8 @@ from gearwright.sizing.bearing_arrangement import bare_shafts
 from gearwright.sizing.making import built_checks
 from gearwright.sizing.mass import complete_mass
 from gearwright.sizing.rating import MESHES
-from gearwright.spec import Design, design_text, edited
-from gearwright.spec.design import NOTHING_GIVEN, Pair, module_owners
+from gearwright.spec import Design, at_level, design_text, edited
+from gearwright.spec.design import CONCEPT, NOTHING_GIVEN, PRELIMINARY, Pair, module_owners
 from gearwright.spec.edit import Value
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -167,8 +167,8 @@ def close_arranged(
     put into bearings again, at most four times.
 
     Args:
-        design: With the freedoms that are left; what it gives is kept.
-        closed: Of it, where that is known.
+        design: With the freedoms that are left; what it gives is kept. A concept is taken as preliminary.
+        closed: Of it at that level, where that is known.
         wishes: What is asked of the closure; left out: as it was closed, or as the design says.
         tell: Called with what is being done.
         keep: Called with the best so far, wherever there is a better one.
@@ -178,8 +178,9 @@ def close_arranged(
     """
     asked = wishes or (Wishes() if closed is None else closed.wishes)
     say = tell or _silent
-    own = close(design, wishes=asked, tell=say) if closed is None else closed
-    course = _Course(design, asked, say, keep, frozenset(row.check.name for row in own.unmet))
+    taken = as_compared(design)
+    own = close(taken, wishes=asked, tell=say) if closed is None else closed
+    course = _Course(taken, asked, say, keep, frozenset(row.check.name for row in own.unmet))
     found = course.put(own)
     if found.without_bearings:
         found = course.with_other_sizes(found)
@@ -192,6 +193,16 @@ def close_arranged(
     if best.arranged and best.left_open:
         course.with_other_sizes(best)
     return replace(course.best or best, rounds=tuple(course.rounds), searched=tuple(course.searched))
+
+
+def as_compared(design: Design) -> Design:
+    """Return a design at the level at which architectures compete, where its gears have the bodies that they are made
+    with: a concept as preliminary, any other as it is.
+
+    Args:
+        design: As read.
+    """
+    return at_level(design, PRELIMINARY) if design.level == CONCEPT else design
 
 
 def has_open_sizes(design: Design, wishes: Wishes | None = None) -> bool:

@@ -13,6 +13,7 @@ from gearwright.closure import (
     Outcome,
     Wishes,
     arrange,
+    as_compared,
     close,
     close_arranged,
     nearest_variant,
@@ -119,7 +120,7 @@ def equal_life(
         say = None if tell is None else _named(tell, name)
         try:
             with MESHES.sharing():
-                rows += _rows(name, with_public_motors(design), asked, say)
+                rows += _rows(name, as_compared(with_public_motors(design)), asked, say)
         except DesignError as error:
             rows.append(_refused(name, error.problems))
     return tuple(sorted(rows, key=lambda row: row.order))

@@ -858,7 +858,7 @@ def arrange(
     ] = False,
     level: Annotated[
         Literal["concept", "preliminary"],
-        typer.Option(help="With --as-sized: level at which it is taken; preliminary rates against fatigue"),
+        typer.Option(help="Level at which it is taken as it is sized: preliminary rates against fatigue"),
     ] = "preliminary",
     out: Annotated[Path | None, typer.Option(help="Write the design with its bearings to this file")] = None,
     json: JsonOption = False,
@@ -879,9 +879,10 @@ def arrange(
     wishes = wishes_of(life_h, free)
     source = _source_of(design).text
     with placed_in(design):
-        if not as_sized and has_open_sizes(own, wishes):
+        if not as_sized and level == PRELIMINARY and has_open_sizes(own, wishes):
             found = _closed_in_bearings(own, wishes, out, source, say)
             arranged = found.arranged or arranged_by(found.closed.design)
+            stated = own.level if own.level not in (PRELIMINARY, BUILT) else ""
         else:
             moves = own.level != level and (own.level, level) != (BUILT, PRELIMINARY)  # bearings that stand stay
             lives = {} if life_h is None else {"service.life_h": life_h, "service.bearing_life_h": life_h}
@@ -910,7 +911,7 @@ def _closed_in_bearings(
     from gearwright.spec.edit import design_text_like
     from gearwright.units import text
 
-    best = list[ClosedArrangement]()
+    best: list[ClosedArrangement] = []
     try:
         found = close_arranged(design, wishes=wishes, tell=say, keep=best.append)
     except KeyboardInterrupt:
