@@ -1,9 +1,9 @@
 """Shipped designs put into bearings, and a gearbox that was drawn by hand beside the same one arranged anew.
 
 ``python benchmarks/arranged.py`` prints both tables of docs/how-to/arrange.md, and with ``--write`` writes them there;
-names of designs behind it print the first one for these alone. ``--closed`` prints the third instead: designs closed for
-20,000 h, put into bearings as they are closed, and moved until they pass (or those that are named); it takes a quarter
-of an hour of processor time.
+names of designs behind it print the first one for these alone. ``--closed`` prints the third instead: designs closed
+for 20,000 h, put into bearings as they are closed, and moved until they pass; it takes a quarter of an hour of
+processor time.
 """
 
 from __future__ import annotations
@@ -108,11 +108,10 @@ def closed_table(names: Sequence[str]) -> Iterator[str]:
     for name in names:
         started = time.process_time()
         found = close_arranged(with_public_motors(gw.read(name)), wishes=gw.Wishes(life=HOURS * 3600.0))
-        first = found.rounds[0]
-        last = next(one for one in found.rounds if one.what == found.what)
-        refused = f" refused: {cut(found.without_bearings)}" if found.without_bearings else ""
+        first, last = found.rounds[0], next(one for one in found.rounds if one.what == found.what)
+        then = f"no bearings: {cut(found.without_bearings)}" if found.without_bearings else state(last)
         row = (
-            f"| `{name}` | {first.before:.1f} | {state(first)} | {state(last)}{refused} |"
+            f"| `{name}` | {first.before:.1f} | {state(first)} | {'–' if first is last else then} |"
             f" {found.what or '–'} | {time.process_time() - started:.0f} |"
         )
         print(row, file=sys.stderr, flush=True)

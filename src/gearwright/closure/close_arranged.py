@@ -136,7 +136,7 @@ class ClosedArrangement(Shown):
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-MOST_ROUNDS = 4
+MOST_ROUNDS = 3
 """How often a gearbox is put into bearings, at most [-]."""
 MODULES = (-1, 1, 2, 3)
 """Steps of ISO 54 by which the module of a stage is changed where closing again leads to what was known before, or
@@ -145,7 +145,7 @@ WHEELS = (-18, -10, -5, 5, 10, 18)
 """About how many teeth one wheel has more, the wheel of the next pair fewer by as much of the ratio [-]."""
 LARGEST_RATIO = 10
 """Teeth of a wheel over those of its pinion, at most [-]."""
-MOST_SIZES = 5
+MOST_SIZES = 3
 """The lightest of these that are put into bearings [-]."""
 
 
@@ -164,7 +164,7 @@ def close_arranged(
 
     Closed and put into bearings, other diameters and bores of its shafts are looked at. Where checks fail then that did
     not before, it is closed again with its shafts as stiff and as heavy as they stand, by other teeth and modules, and
-    put into bearings again, at most four times.
+    put into bearings again, at most twice. Then single other modules and splits of the ratio are tried.
 
     Args:
         design: With the freedoms that are left; what it gives is kept. A concept is taken as preliminary.
@@ -280,7 +280,7 @@ class _Course:
         """
         felt = {} if found.arranged is None else dict(shafts_as_they_stand(self.design, found.arranged.sizing))
         rows = sorted(self._other_sizes(found, felt), key=lambda row: row[0].whole.total)
-        for again, change in rows[:MOST_SIZES]:
+        for again, change in rows[: MOST_SIZES if felt else None]:
             other = self.put(again, words_of(change))
             if found.without_bearings and not other.without_bearings:
                 self.design = edited(self.design, change)
@@ -293,10 +293,12 @@ class _Course:
         self, found: ClosedArrangement, felt: Mapping[str, Value]
     ) -> Iterator[tuple[Closed, Mapping[str, Value]]]:
         """Yield the gearbox closed with another module or ratio of one of its stages, and what was changed."""
-        for change in (*self._modules(found.closed.sizing), *self._ratios(found.closed.sizing)):
+        quick = replace(self.wishes, lighten=False, separate=False)  # what stands too near is left out below
+        ratios = self._ratios(found.closed.sizing) if felt else ()  # without bearings it is a bore that is too small
+        for change in (*self._modules(found.closed.sizing), *ratios):
             self.say(f"closing with {words_of(change)}")
             try:
-                again = close(edited(self.design, {**felt, **change}), wishes=self.wishes, tell=self.say)
+                again = close(edited(self.design, {**felt, **change}), wishes=quick, tell=self.say)
             except GearwrightError:
                 continue
             again = _without(again, felt)
@@ -437,13 +439,13 @@ RESONANT = "critical speeds"
 """Requirement that other shafts move."""
 TWISTS = 0.05
 """Part of a mode's elastic energy in a shaft from which another diameter moves it [-]."""
-THICKER = (1.08, 1.16, 1.25, 1.35, 1.5, 1.75)
+THICKER = (1.1, 1.2, 1.35, 1.6)
 """Factors on the thickest diameter of a shaft between its gears [-]."""
-BORES = (0.0, 0.3, 0.5, 0.6, 0.7)
+BORES = (0.0, 0.4, 0.7)
 """Bore over diameter [-]."""
-MOST_SHAFTS = 3
+MOST_SHAFTS = 2
 """Changes of shafts that are made one after another [-]."""
-CONFIRMED = 3
+CONFIRMED = 2
 """The most promising ones that are judged in full [-]."""
 STEP = 1e-3
 """To which diameters are made larger [m]."""

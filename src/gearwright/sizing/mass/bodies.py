@@ -571,8 +571,8 @@ def gear_item(sizing: Sizing, gear: GearSizing, seats: Seats) -> MassItem:
 # ----------------------------------------------------------------------------------------------------------------------
 # Gears of a preliminary sizing: their mass and inertia are those of the bodies that the complete mass counts.
 #
-# A built shaft leaves out what is inside its gears, whose discs have it: there the inertia alone is that of the body, to
-# which what lies inside adds little. The complete mass has bodies at every level.
+# A built shaft leaves out what is inside its gears, whose discs have it: there the inertia alone is that of the body,
+# to which what lies inside adds little. The complete mass has bodies at every level.
 # ----------------------------------------------------------------------------------------------------------------------
 
 
