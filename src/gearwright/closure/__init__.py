@@ -22,6 +22,7 @@ from gearwright.closure.close_arranged import (
     ClosedArrangement,
     as_compared,
     close_arranged,
+    closed_as_compared,
     has_open_sizes,
 )
 from gearwright.closure.eased import Eased, eased
@@ -71,6 +72,7 @@ __all__ = [
     "best_so_far",
     "close",
     "close_arranged",
+    "closed_as_compared",
     "contradictions",
     "eased",
     "has_open_sizes",

@@ -34,7 +34,7 @@ from gearwright.closure.close import close
 from gearwright.closure.loop import start_of
 from gearwright.closure.moves import standard_modules, words_of
 from gearwright.closure.proportion import searched
-from gearwright.closure.requirements import Closed, Wishes, requirement_of, wanted
+from gearwright.closure.requirements import Closed, Outcome, Wishes, requirement_of, wanted
 from gearwright.dynamics.assembly import assemble
 from gearwright.dynamics.equations import modes
 from gearwright.dynamics.sharing import sharing_checks
@@ -179,7 +179,7 @@ def close_arranged(
     asked = wishes or (Wishes() if closed is None else closed.wishes)
     say = tell or _silent
     taken = as_compared(design)
-    own = close(taken, wishes=asked, tell=say) if closed is None else closed
+    own = closed_as_compared(design, asked, say) if closed is None else closed
     course = _Course(taken, asked, say, keep, frozenset(row.check.name for row in own.unmet))
     found = course.put(own)
     if found.without_bearings:
@@ -203,6 +203,24 @@ def as_compared(design: Design) -> Design:
         design: As read.
     """
     return at_level(design, PRELIMINARY) if design.level == CONCEPT else design
+
+
+def closed_as_compared(design: Design, wishes: Wishes, tell: Callable[[str], None] | None = None) -> Closed:
+    """Return a design closed as preliminary; a concept as it is, where that meets everything and the other does not.
+
+    Args:
+        design: As read.
+        wishes: What is asked of the closure.
+        tell: Called with what is being done.
+
+    Raises:
+        DesignError: If the design cannot be sized.
+    """
+    closed = close(as_compared(design), wishes=wishes, tell=tell)
+    if closed.outcome is Outcome.OPEN and design.level == CONCEPT:
+        other = close(design, wishes=wishes, tell=tell)
+        return other if other.outcome is Outcome.CLOSED else closed
+    return closed
 
 
 def has_open_sizes(design: Design, wishes: Wishes | None = None) -> bool:

@@ -14,8 +14,8 @@ from gearwright.closure import (
     Wishes,
     arrange,
     as_compared,
-    close,
     close_arranged,
+    closed_as_compared,
     nearest_variant,
 )
 from gearwright.closure.requirements import LONGEST
@@ -120,7 +120,7 @@ def equal_life(
         say = None if tell is None else _named(tell, name)
         try:
             with MESHES.sharing():
-                rows += _rows(name, as_compared(with_public_motors(design)), asked, say)
+                rows += _rows(name, with_public_motors(design), asked, say)
         except DesignError as error:
             rows.append(_refused(name, error.problems))
     return tuple(sorted(rows, key=lambda row: row.order))
@@ -152,9 +152,9 @@ def closed_designs(rows: Iterable[EqualLife]) -> dict[str, Particulars]:
 
 def _rows(name: str, design: Design, asked: Wishes, say: Callable[[str], None] | None) -> Iterator[EqualLife]:
     """Yield a design closed with its shafts in bearings, and its nearest variant where it does not close itself."""
-    closed = close(design, wishes=asked, tell=say)
+    closed = closed_as_compared(design, asked, say)
     yield _row(name, close_arranged(design, closed, tell=say))
-    if closed.outcome is Outcome.OPEN and (variant := nearest_variant(design, closed, tell=say).nearest):
+    if closed.outcome is Outcome.OPEN and (variant := nearest_variant(as_compared(design), closed, tell=say).nearest):
         yield replace(_row(name, close_arranged(variant.design, variant.closed, tell=say)), variant=variant.what)
 
 
