@@ -206,7 +206,9 @@ def as_compared(design: Design) -> Design:
 
 
 def closed_as_compared(design: Design, wishes: Wishes, tell: Callable[[str], None] | None = None) -> Closed:
-    """Return a design closed as preliminary; a concept as it is, where that meets everything and the other does not.
+    """Return a design closed as preliminary; a concept as it is, where that meets more, or as much and is lighter.
+
+    A closure is a local search: what it cannot meet from one start it may meet from another.
 
     Args:
         design: As read.
@@ -218,9 +220,13 @@ def closed_as_compared(design: Design, wishes: Wishes, tell: Callable[[str], Non
     """
     closed = close(as_compared(design), wishes=wishes, tell=tell)
     if closed.outcome is Outcome.OPEN and design.level == CONCEPT:
-        other = close(design, wishes=wishes, tell=tell)
-        return other if other.outcome is Outcome.CLOSED else closed
+        return min(closed, close(design, wishes=wishes, tell=tell), key=_order)
     return closed
+
+
+def _order(closed: Closed) -> tuple[float, float]:
+    """Return what orders closures: what meets more comes first, then what is lighter."""
+    return round(lacking_of([row.check for row in closed.unmet]), 2), closed.whole.total
 
 
 def has_open_sizes(design: Design, wishes: Wishes | None = None) -> bool:
