@@ -120,6 +120,8 @@ def closed_table(names: Sequence[str]) -> Iterator[str]:
 
 def state(one: BearingRound) -> str:
     """Return the mass of a round, and what it fails by."""
+    if one.mass == one.before:
+        return "a shaft finds none"
     return f"{one.mass:.1f} kg, " + (f"fails: {one.worst}" if one.worst else "passes")
 
 
