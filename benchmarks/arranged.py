@@ -1,7 +1,9 @@
 """Shipped designs put into bearings, and a gearbox that was drawn by hand beside the same one arranged anew.
 
 ``python benchmarks/arranged.py`` prints both tables of docs/how-to/arrange.md, and with ``--write`` writes them there;
-names of designs behind it print the first one for these alone.
+names of designs behind it print the first one for these alone. ``--closed`` prints the third instead: designs closed
+for 20,000 h, put into bearings as they are closed, and moved until they pass; it takes a quarter of an hour of
+processor time.
 """
 
 from __future__ import annotations
@@ -14,29 +16,38 @@ from pathlib import Path
 from typing import NamedTuple
 
 import gearwright as gw
-from gearwright.closure import Arranged
+from gearwright.closure import Arranged, BearingRound, close_arranged
 from gearwright.errors import DesignError
 from gearwright.sizing import Sizing
 from gearwright.sizing.mass import CompleteMass
 from gearwright.spec import Design
 from gearwright.spec.design import BUILT, CONCEPT, PRELIMINARY
 from gearwright.spec.edit import Value
+from gearwright.study.architectures import with_public_motors
+from gearwright.study.running import comparison_of
 
 SHOWN = ("shafts", "carriers", "bearings", "housing")
 """Groups of the complete mass that the table shows."""
 BY_HAND = "ec120b"
 """Shipped design whose bearings were placed by hand."""
 MM = 1e3
-WRITE = "--write"
+WRITE, CLOSED = "--write", "--closed"
+HOURS = 20_000
+"""Life that closed designs are asked for [h]: that of docs/how-to/architectures.md."""
+BESIDE = ("off-set-h1-free", "contra-rotating-propellers", "differential-hybrid")
+"""Designs that are closed beside the architectures of the thesis."""
 PAGE = Path(__file__).parents[1] / "docs" / "how-to" / "arrange.md"
 LONGEST = 160
 """Characters of what fails that a row of the table shows."""
 
 
 def main() -> None:
-    names = [word for word in sys.argv[1:] if word != WRITE]
-    made = ["\n".join(table(names or [name for name in gw.shipped_designs() if gw.read(name).level != BUILT]))]
-    made += [] if names else ["\n".join(beside(gw.read(BY_HAND)))]
+    names = [word for word in sys.argv[1:] if word not in (WRITE, CLOSED)]
+    if CLOSED in sys.argv:
+        made = ["\n".join(closed_table(names or [*comparison_of(None).designs, *BESIDE]))]
+    else:
+        made = ["\n".join(table(names or [name for name in gw.shipped_designs() if gw.read(name).level != BUILT]))]
+        made += [] if names else ["\n".join(beside(gw.read(BY_HAND)))]
     print("\n\n".join(made))
     if WRITE in sys.argv:
         text = PAGE.read_text(encoding="utf-8")
@@ -83,6 +94,35 @@ def told(error: DesignError) -> str:
 
 def cut(words: str) -> str:
     return words if len(words) <= LONGEST else f"{words[: LONGEST - 2].rstrip()} …"
+
+
+# ----------------------------------------------------------------------------------------------------------------------
+# Designs closed for one life: as they stand in bearings first, and what is moved until they pass.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+def closed_table(names: Sequence[str]) -> Iterator[str]:
+    """Yield a table of designs that are closed, put into bearings and moved, row by row, as each is found."""
+    yield "| closed design | without bearings, kg | in bearings | then | moved | s |"
+    yield f"| --- |{' --- |' * 5}"
+    for name in names:
+        started = time.process_time()
+        found = close_arranged(with_public_motors(gw.read(name)), wishes=gw.Wishes(life=HOURS * 3600.0))
+        first, last = found.rounds[0], next(one for one in found.rounds if one.what == found.what)
+        then = f"no bearings: {cut(found.without_bearings)}" if found.without_bearings else state(last)
+        row = (
+            f"| `{name}` | {first.before:.1f} | {state(first)} | {'–' if first is last else then} |"
+            f" {found.what or '–'} | {time.process_time() - started:.0f} |"
+        )
+        print(row, file=sys.stderr, flush=True)
+        yield row
+
+
+def state(one: BearingRound) -> str:
+    """Return the mass of a round, and what it fails by."""
+    if one.mass == one.before:
+        return "a shaft finds none"
+    return f"{one.mass:.1f} kg, " + (f"fails: {one.worst}" if one.worst else "passes")
 
 
 # ----------------------------------------------------------------------------------------------------------------------

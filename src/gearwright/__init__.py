@@ -22,7 +22,7 @@ if TYPE_CHECKING:
         rotor,
         turboshaft,
     )
-    from gearwright.closure import Wishes, arrange, close, contradictions, nearest_variant
+    from gearwright.closure import Wishes, arrange, close, close_arranged, contradictions, nearest_variant
     from gearwright.dynamics import (
         Model,
         Outputs,
@@ -105,6 +105,7 @@ _VERBS = {
     "at_level": "spec",
     "campbell": "dynamics",
     "close": "closure",
+    "close_arranged": "closure",
     "compare": "study",
     "complete_mass": "sizing.mass",
     "contradictions": "closure",
@@ -210,6 +211,7 @@ __all__ = [
     "at_level",
     "campbell",
     "close",
+    "close_arranged",
     "compare",
     "complete_mass",
     "contradictions",

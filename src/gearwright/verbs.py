@@ -34,6 +34,7 @@ MAKES: Mapping[str, str] = types.MappingProxyType(
         "Campbell": "gw.campbell(system)",
         "Checked": "gw.validate()",
         "Closed": "gw.close(design)",
+        "ClosedArrangement": "gw.close_arranged(design)",
         "Comparison": "gw.mass(power, engine_speed, propeller_speed)",
         "Design": "gw.read(path or shipped name)",
         "Durability": "gw.durability(flight)",

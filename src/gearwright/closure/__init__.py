@@ -17,6 +17,14 @@ from gearwright.closure.close import (
     contradictions,
     nearest_variant,
 )
+from gearwright.closure.close_arranged import (
+    BearingRound,
+    ClosedArrangement,
+    as_compared,
+    close_arranged,
+    closed_as_compared,
+    has_open_sizes,
+)
 from gearwright.closure.eased import Eased, eased
 from gearwright.closure.proportion import teeth_of
 from gearwright.closure.requirements import (
@@ -39,7 +47,9 @@ __all__ = [
     "FREEDOMS",
     "REQUIREMENTS",
     "Arranged",
+    "BearingRound",
     "Closed",
+    "ClosedArrangement",
     "Contradiction",
     "Course",
     "Eased",
@@ -57,11 +67,15 @@ __all__ = [
     "Variants",
     "Wishes",
     "arrange",
+    "as_compared",
     "as_sized",
     "best_so_far",
     "close",
+    "close_arranged",
+    "closed_as_compared",
     "contradictions",
     "eased",
+    "has_open_sizes",
     "nearest_variant",
     "requirement_of",
     "teeth_of",

@@ -14,6 +14,7 @@ from gearwright.closure.proportion import sized_as, teeth_of
 from gearwright.sizing import Sizing, size
 from gearwright.sizing.arrangement import shared_axes
 from gearwright.sizing.bearing_arrangement import (
+    BORE_STEP,
     ENDS,
     FIRST,
     SECOND,
@@ -51,6 +52,10 @@ CROWDED = ("room", "running clearance")
 """How checks begin of parts that stand too near to each other."""
 NEAR = 10e-3
 """Room that a bearing lacks up to which it is moved away; beyond, something else is done [m]."""
+WHIRLS, TOO_FAST = "first critical speed", "speed factor"
+"""Modes of checks of a shaft that is too soft for its speed, and of a bearing whose n d_m is too much."""
+UNDER_RACE = "under-race"
+"""How oil comes to fast bearings: through the shaft, to 3e6 mm/min where jets end at 1.5e6."""
 PLACINGS = 8
 """How often room is made for what stands into something else, at most [-]."""
 
@@ -69,6 +74,10 @@ class Room:
     """Shafts, and the end at which no bearing stands beside the radial one."""
     mirrored: frozenset[str] = frozenset()
     """Shafts whose machine stands at the other end."""
+    thicker: Mapping[str, float] = field(default_factory=dict)
+    """Shaft -> by how much its thinnest seat is thicker, so that it turns below its first critical speed [m]."""
+    under_race: bool = False
+    """Whether oil comes to the bearings through the shafts, as their n d_m is more than jets of oil allow."""
 
     def with_around(self, stage: str, more: float) -> Room:
         """Return it with so much room around a set, where it has less."""
@@ -77,6 +86,10 @@ class Room:
     def with_beside(self, bearing: str, lacking: float) -> Room:
         """Return it with more room beside a bearing."""
         return replace(self, beside={**self.beside, bearing: self.beside.get(bearing, 0.0) + lacking})
+
+    def with_thicker(self, shaft: str) -> Room:
+        """Return it with the next bore in the bearings of a shaft."""
+        return replace(self, thicker={**self.thicker, shaft: self.thicker.get(shaft, 0.0) + BORE_STEP})
 
 
 @dataclass(frozen=True, repr=False)
@@ -150,8 +163,11 @@ def arrange(design: Design) -> Arranged:
 def _placed(own: Design, sized: Sizing, room: Room) -> tuple[Design, Sizing, tuple[Stood, ...]]:
     """Return a design with bearings, its sizing and its shafts."""
     refused: DesignError | None = None
+    if room.under_race and own.bearing_rules.lubrication != UNDER_RACE:
+        own = edited(own, {"bearing_rules.lubrication": UNDER_RACE})
+        sized = size(own)
     for slack, thicker in SLACK:
-        lines = [replace(line, slack=slack, thicker=thicker) for line in _lines(sized, room)]
+        lines = [replace(line, slack=slack, thicker=line.thicker + thicker) for line in _lines(sized, room)]
         shafts = stand(sized, lines, sized.arrangement.axes)
         try:
             turned = size(edited(own, dict(_changes(own, sized, shafts, as_given=True))))
@@ -184,7 +200,10 @@ def _lines(sizing: Sizing, room: Room) -> Iterator[Line]:
             core = Core(first, max(core.last - ((name, SECOND) in room.overhung), first))
             wheel = max((gears[item.name].pitch_diameter for item in items if item.kind == "gear"), default=0.0)
             full = frozenset(end for end in ENDS if (name, end) in room.no_axial)
-            yield Line(name, items, core, thick[name], wheel, splined(own), apart=room.beside, no_axial=full)
+            yield Line(
+                name, items, core, thick[name], wheel, splined(own), apart=room.beside, no_axial=full,
+                thicker=room.thicker.get(name, 0.0),
+            )  # fmt: skip
 
 
 def _widened(item: Item, room: Room) -> Item:
@@ -203,6 +222,10 @@ def _more_room(arranged: Arranged, room: Room) -> Room:
         wider = bearing.bearing.width - planned.get(bearing.name, math.inf)
         if wider > _MM / 2.0:
             room = room.with_beside(bearing.name, whole_millimetres(wider / 2.0))
+    for shaft in {check.part.name: None for check in arranged.worse if check.mode == WHIRLS}:
+        room = room.with_thicker(shaft)
+    if any(check.mode == TOO_FAST for check in arranged.worse) and _oil_is_open(arranged.before.design):
+        room = replace(room, under_race=True)
     crowded = [check for check in arranged.worse if check.mode.startswith(CROWDED)]
     bosses = boss_room(arranged.sizing) if crowded else None
     done, before = set[tuple[str, str]](), room.around
@@ -213,6 +236,11 @@ def _more_room(arranged: Arranged, room: Room) -> Room:
                 lacking = bosses[1] - bosses[0]
             room = _with_room(arranged, room, check, whole_millimetres(lacking) + _MM, done, before)
     return room
+
+
+def _oil_is_open(design: Design) -> bool:
+    """Tell whether a design leaves open how oil comes to its bearings."""
+    return {"lubrication", "speed_factor"}.isdisjoint(design.bearing_rules.model_fields_set)
 
 
 def _with_room(

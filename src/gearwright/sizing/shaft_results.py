@@ -25,6 +25,7 @@ from gearwright.base import (
 )
 from gearwright.catalogue import Bearing, ModifiedLife
 from gearwright.parts.bearings import Journal
+from gearwright.parts.shafts import torsional_stiffness
 
 # ----------------------------------------------------------------------------------------------------------------------
 # What sizing yields of shafts as they are built: steps, seats, bearings and joints.
@@ -118,6 +119,25 @@ class BuiltShaft:
     def weakest(self) -> SectionStrength:
         """The section with the least safety against fatigue."""
         return smallest(self.sections, lambda section: section.fatigue_safety)
+
+    def stiffness_between(self, first: float, second: float, shear_modulus: float) -> float:
+        """Return the torsional stiffness of what lies between two places along the shaft [N m/rad]; infinite at one.
+
+        Args:
+            first: From the shaft's first end [m].
+            second: Likewise, before or behind it [m].
+            shear_modulus: G [Pa].
+
+        Source: springs in series, each π G (d⁴ − d_i⁴)/(32 l).
+        """
+        low, high = sorted((first, second))
+        inside = [(step, min(step.end, high) - max(step.start, low)) for step in self.steps]
+        compliance = sum(
+            1.0 / torsional_stiffness(step.diameter, length, shear_modulus, bore=self.bore)
+            for step, length in inside
+            if length > 0.0
+        )
+        return 1.0 / compliance if compliance else math.inf
 
 
 class Running(NamedTuple):

@@ -7,7 +7,17 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from gearwright.base import Check, DesignError, Life, Mass, Problem, Ratio, Shown, margin_text, verb
-from gearwright.closure import Closed, Outcome, Wishes, arrange, close, nearest_variant
+from gearwright.closure import (
+    Closed,
+    ClosedArrangement,
+    Outcome,
+    Wishes,
+    arrange,
+    as_compared,
+    close_arranged,
+    closed_as_compared,
+    nearest_variant,
+)
 from gearwright.closure.requirements import LONGEST
 from gearwright.machines.electric import PUBLIC_BAND
 from gearwright.particulars import Particulars, particulars
@@ -58,6 +68,10 @@ class EqualLife(Shown):
     """What was changed of what the design gives, as it does not close itself; empty where it is as it was named."""
     without_bearings: str = ""
     """Shafts that need bearings and find none, and why, so that these are not in the mass; empty: there are none."""
+    moved: str = ""
+    """What was moved with bearings in the gearbox, so that it lacks less; empty where it stands as it was closed."""
+    searched: str = ""
+    """Over what it was looked for with bearings in the gearbox, where that left something unmet."""
     groups: tuple[MassGroup, ...] = ()
     """Of parts, of which the complete mass is the sum."""
     motors: Mass | None = None
@@ -151,22 +165,22 @@ def closed_designs(rows: Iterable[EqualLife]) -> dict[str, Particulars]:
 
 
 def _rows(name: str, design: Design, asked: Wishes, say: Callable[[str], None] | None) -> Iterator[EqualLife]:
-    """Yield a design closed, and its nearest variant where it does not close itself."""
-    closed = close(design, wishes=asked, tell=say)
-    yield _row(name, closed)
-    if closed.outcome is Outcome.OPEN and (variant := nearest_variant(design, closed, tell=say).nearest):
-        yield replace(_row(name, variant.closed), variant=variant.what)
+    """Yield a design closed with its shafts in bearings, and its nearest variant where it does not close itself."""
+    closed = closed_as_compared(design, asked, say)
+    yield _row(name, close_arranged(design, closed, tell=say))
+    if closed.outcome is Outcome.OPEN and (variant := nearest_variant(as_compared(design), closed, tell=say).nearest):
+        yield replace(_row(name, close_arranged(variant.design, variant.closed, tell=say)), variant=variant.what)
 
 
 def _named(tell: Callable[[str], None], name: str) -> Callable[[str], None]:
     return lambda words: tell(f"{name}: {words}")
 
 
-def _row(name: str, closed: Closed) -> EqualLife:
+def _row(name: str, found: ClosedArrangement) -> EqualLife:
     """Return the row of a closed design with its shafts in bearings, judged by a review of its text alone."""
-    file, sizing, bare = in_bearings(closed.sizing)
+    file, sizing = found.text, found.sizing
     judged, whole = review(parse(file)), complete_mass(sizing)
-    (life, limits), (low, high) = _shortest(closed, judged), whole.band
+    (life, limits), (low, high) = _shortest(found.closed, judged), whole.band
     return EqualLife(
         design=name,
         verdict=str(judged.verdict),
@@ -184,7 +198,9 @@ def _row(name: str, closed: Closed) -> EqualLife:
         worst=None if judged.worst is None else judged.worst.margin,
         statistics=statistics_beside(sizing, whole),
         file=file,
-        without_bearings=bare,
+        without_bearings=found.without_bearings,
+        moved=found.what,
+        searched=", ".join(found.searched) if found.left_open or found.without_bearings else "",
         groups=whole.groups,
         measures=measures_of(sizing),
     )

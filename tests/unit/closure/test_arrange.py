@@ -211,7 +211,7 @@ def call(monkeypatch, capsys, tmp_path):
 def test_the_file_keeps_comments_order_and_units(call, tmp_path):
     own = PAIR.replace("diameter_m = 2\n", "diameter_m = 2  # as flown\n")
     (tmp_path / "pair.toml").write_text(own, encoding="utf-8")
-    code, out, err = call("arrange pair.toml --out built.toml")
+    code, out, err = call("arrange pair.toml --as-sized --out built.toml")
     assert (code, err) == (0, "wrote built.toml\n")
     assert 'Taken at level "preliminary"; that of the design is "concept".' in out
     written = (tmp_path / "built.toml").read_text(encoding="utf-8")
@@ -224,7 +224,7 @@ def test_the_file_keeps_comments_order_and_units(call, tmp_path):
 
 def test_json_says_what_the_screen_says(call, tmp_path):
     (tmp_path / "pair.toml").write_text(PAIR, encoding="utf-8")
-    code, out, _ = call("arrange pair.toml --json")
+    code, out, _ = call("arrange pair.toml --as-sized --json")
     result = json.loads(out)["result"]
     assert code == 0
     assert (result["level"], result["worse"], result["failing"]) == (PRELIMINARY, [], [])
@@ -244,7 +244,11 @@ def test_what_fails_ends_with_exit_code_1(call, tmp_path):
     ("text", "line", "said"),
     [
         (PAIR, "arrange pair.toml --out none/built.toml", "there is no folder none; make it, or name another one"),
-        (PAIR.replace("diameter_m = 2\n", "diameter_m = 2\nthrust_kn = 2000\n"), "arrange pair.toml", "bearings.slow-"),
+        (
+            PAIR.replace("diameter_m = 2\n", "diameter_m = 2\nthrust_kn = 2000\n"),
+            "arrange pair.toml --as-sized",
+            "bearings.slow-",
+        ),
         (PAIR.replace('level = "concept"\n', "level = 3\n"), "arrange pair.toml", "level"),
         (None, "arrange ec120b --level concept", "[bearings] stand, which build the shafts"),
     ],

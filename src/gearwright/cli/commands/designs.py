@@ -53,7 +53,7 @@ from gearwright.signals import answered
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
 
-    from gearwright.closure import Closed, Contradiction, Course, Eased, Source, Variants, Wishes
+    from gearwright.closure import Closed, ClosedArrangement, Contradiction, Course, Eased, Source, Variants, Wishes
     from gearwright.dynamics import Modes, System, Trace
     from gearwright.dynamics.vibration import SpeedCase
     from gearwright.particulars import Particulars
@@ -849,35 +849,83 @@ def show_equal_life(
 
 def arrange(
     design: DesignArgument,
+    life_h: Annotated[
+        float | None,
+        typer.Option(help="Life of gears and bearings; left out: as the design says", min=0.001),
+    ] = None,
+    free: FreeOption = None,
+    as_sized: Annotated[
+        bool, typer.Option("--as-sized", help="Keep the sizes that the sizing chose, and move none with bearings in it")
+    ] = False,
     level: Annotated[
         Literal["concept", "preliminary"],
-        typer.Option(help="Level at which it is taken without bearings: preliminary rates against fatigue"),
+        typer.Option(help="Level at which it is taken as it is sized: preliminary rates against fatigue"),
     ] = "preliminary",
     out: Annotated[Path | None, typer.Option(help="Write the design with its bearings to this file")] = None,
     json: JsonOption = False,
 ) -> None:
-    """Put every shaft that needs them into bearings, and make it as long as these ask; what fails ends with code 1."""
-    from gearwright.closure import arrange as arranged_by
+    """Put every shaft that needs them into bearings, and make it as long as these ask; what fails ends with code 1.
+
+    A design with open sizes is closed first, and again with its shafts as they stand in bearings, until it passes.
+    """
+    from gearwright.closure import arrange as arranged_by, has_open_sizes
     from gearwright.render.answers.review import arrange_answer
     from gearwright.render.words.review import arranged_text
-    from gearwright.spec import at_level
+    from gearwright.spec import at_level, edited
     from gearwright.spec.design import BUILT, PRELIMINARY
     from gearwright.spec.edit import design_text_like
 
     refuse_files(None, None, out, None)
-    own = design_of(design)
-    moves = own.level != level and (own.level, level) != (BUILT, PRELIMINARY)  # bearings that stand stay
+    own, say, found, stated = design_of(design), _quiet if json else tell, None, ""
+    wishes = wishes_of(life_h, free)
+    source = _source_of(design).text
     with placed_in(design):
-        arranged = arranged_by(at_level(own, level) if moves else own)
+        if not as_sized and level == PRELIMINARY and has_open_sizes(own, wishes):
+            found = _closed_in_bearings(own, wishes, out, source, say)
+            arranged = found.arranged or arranged_by(found.closed.design)
+            stated = own.level if own.level not in (PRELIMINARY, BUILT) else ""
+        else:
+            moves = own.level != level and (own.level, level) != (BUILT, PRELIMINARY)  # bearings that stand stay
+            lives = {} if life_h is None else {"service.life_h": life_h, "service.bearing_life_h": life_h}
+            lived = edited(own, lives)
+            arranged, stated = arranged_by(at_level(lived, level) if moves else lived), own.level if moves else ""
     if json:
-        show_answer("arrange", arrange_answer(arranged), design=arranged.design.name)
+        show_answer("arrange", arrange_answer(arranged, found), design=arranged.design.name)
     else:
-        show(arranged_text(arranged, stated=own.level if moves else ""))
+        show(arranged_text(arranged, found, stated=stated))
     if out is not None:
-        write_text(out, design_text_like(arranged.design, _source_of(design).text, own))
-        (_quiet if json else tell)(f"wrote {out}")
-    if any(check.fails for check in arranged.sizing.checks):
+        write_text(out, design_text_like(arranged.design, source, own))
+        say(f"wrote {out}")
+    if any(check.fails for check in (arranged.sizing.checks if found is None else found.checks)):
         raise typer.Exit(1)
+
+
+def _closed_in_bearings(
+    design: Design, wishes: Wishes, out: Path | None, source: str, say: Callable[[str], None]
+) -> ClosedArrangement:
+    """Return a design closed with its shafts in bearings; leave the best so far where that is interrupted.
+
+    Raises:
+        DesignError: If a shaft finds no bearings.
+    """
+    from gearwright.closure import close_arranged
+    from gearwright.spec.edit import design_text_like
+    from gearwright.units import text
+
+    best: list[ClosedArrangement] = []
+    try:
+        found = close_arranged(design, wishes=wishes, tell=say, keep=best.append)
+    except KeyboardInterrupt:
+        answered()
+        kept = "nothing was found yet, and nothing is kept"
+        if best and out is not None:
+            target, mass = interrupted_name(out), text(best[-1].mass, "mass")
+            write_text(target, design_text_like(best[-1].design, source, design))
+            kept = f"the best so far, {mass}, is in {target}"
+        raise typer.Exit(interrupted(kept)) from None
+    if found.without_bearings:
+        raise DesignError([Problem("bearings", found.without_bearings)])
+    return found
 
 
 # ----------------------------------------------------------------------------------------------------------------------

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Set
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -39,6 +40,7 @@ from gearwright.parts.stiffness import StiffnessCurve
 from gearwright.shape import Node, Scene
 from gearwright.sizing import MachineSizing, ShaftSizing, Sizing
 from gearwright.spec import GROUND
+from gearwright.spec.design import NOTHING_GIVEN
 from gearwright.train import Damper, Joint, PowerFlow
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -245,7 +247,8 @@ def shaft_lines(assembly: Assembly, slipping: Set[str]) -> Iterator[ShaftLine]:
         pieces = len(members) - 1
         for k, (first, second) in enumerate(pairwise(members)):
             line = f"{name} shaft" if pieces == 1 else f"{name} shaft {k + 1}"
-            yield ShaftLine(line, PartId(Kind.SHAFT, name), first, second, shafts[name].stiffness * pieces)
+            stiffness = _between(assembly, shafts[name], first, second) or shafts[name].stiffness * pieces
+            yield ShaftLine(line, PartId(Kind.SHAFT, name), first, second, stiffness)
     for machine in assembly.turning_machines:
         end, shaft = assembly.seat(machine), machine.shaft
         driving = assembly.flow.machine_powers[machine.name] >= 0.0
@@ -253,12 +256,33 @@ def shaft_lines(assembly: Assembly, slipping: Set[str]) -> Iterator[ShaftLine]:
         own = PartId(Kind.MACHINE, machine.name)
         alone = sum(neighbour.shaft == shaft for neighbour in sizing.machines) == 1
         if len(assembly.members[shaft]) == 1 and alone:
-            yield ShaftLine(f"{shaft} shaft", PartId(Kind.SHAFT, shaft), *ends, shafts[shaft].stiffness)
+            stiffness = _between(assembly, shafts[shaft], *ends) or shafts[shaft].stiffness
+            yield ShaftLine(f"{shaft} shaft", PartId(Kind.SHAFT, shaft), *ends, stiffness)
         else:
             yield ShaftLine(f"{machine.name} shaft", own, *ends, _stub_stiffness(assembly, machine.torque))
     for joint in sizing.train.joints:
         if joint.name in assembly.flow.joints and joint.name not in slipping and not joint.is_brake:
             yield clutch_line(assembly, joint)
+
+
+def _between(assembly: Assembly, shaft: ShaftSizing, first: str, second: str) -> float | None:
+    """Return the stiffness of a built shaft between two bodies on it [N m/rad]: its ends and seats beyond carry none of
+    their torque; None where its steps or their places are not known."""
+    sizing = assembly.sizing
+    built = next((one for one in sizing.built_shafts if one.name == shaft.name), None)
+    given = sizing.design.layout.get(shaft.name, NOTHING_GIVEN).torsional_stiffness
+    start, end = (_place(assembly, shaft.name, body) for body in (first, second))
+    if built is None or given is not None or start is None or end is None:
+        return None
+    stiffness = built.stiffness_between(start, end, sizing.design.shaft_material.shear_modulus)
+    return stiffness if math.isfinite(stiffness) else None
+
+
+def _place(assembly: Assembly, shaft: str, body: str) -> float | None:
+    """Return where a body stands along a shaft [m]; None of one that has no place of its own."""
+    part, places = assembly.rotors[body].part, assembly.sizing.arrangement.plans[shaft].places
+    gears = (gear.name for gear in assembly.sizing.gears if shaft in gear.shafts and gear.body(shaft) == part)
+    return places.get(next(gears, str(part)))
 
 
 class Brake(NamedTuple):

@@ -7,7 +7,9 @@ from typing import Annotated
 from gearwright.base import Check, Kind, Life, Mass, Quantity, Status, shown, unit
 from gearwright.closure import (
     Arranged,
+    BearingRound,
     Closed,
+    ClosedArrangement,
     Contradiction,
     Eased,
     Effort,
@@ -304,21 +306,29 @@ class ArrangeAnswer:
     """By groups, their sum last."""
     design_file: str
     """The design as TOML."""
+    rounds: tuple[BearingRound, ...] = ()
+    """Gearboxes that were put into bearings, one after another; none where sizes are kept."""
+    searched: tuple[str, ...] = ()
+    """Freedoms that were moved with bearings in the gearbox, in words."""
 
 
-def arrange_answer(arranged: Arranged) -> ArrangeAnswer:
+def arrange_answer(arranged: Arranged, found: ClosedArrangement | None = None) -> ArrangeAnswer:
     """Return what `gearwright arrange --json` answers.
 
     Args:
         arranged: From `arrange`.
+        found: From `close_arranged`; None where sizes are kept.
     """
+    checks = arranged.sizing.checks if found is None else found.checks
     return ArrangeAnswer(
         level=arranged.before.design.level,
         worse=tuple(map(reviewed_check, arranged.worse)),
-        failing=tuple(reviewed_check(check) for check in arranged.sizing.checks if check.fails),
+        failing=tuple(reviewed_check(check) for check in checks if check.fails),
         bearings=arranged_bearings(arranged),
         shafts=arranged_shafts(arranged),
         unborne=unborne(arranged),
         complete_mass=mass_changes(arranged),
         design_file=arranged.text,
+        rounds=() if found is None else found.rounds,
+        searched=() if found is None else found.searched,
     )

@@ -6,8 +6,8 @@ from rich.console import Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
-from gearwright.base import largest, shown, smallest, text, written
-from gearwright.closure import Arranged, Closed, Contradiction, Eased, Effort, Round, Variants
+from gearwright.base import largest, shown, smallest, text, worst, written
+from gearwright.closure import Arranged, Closed, ClosedArrangement, Contradiction, Eased, Effort, Round, Variants
 from gearwright.closure.requirements import LONGEST, SHORTEST
 from gearwright.dynamics import Modes, Trace
 from gearwright.dynamics.vibration import SpeedCase, dynamic_loads
@@ -61,19 +61,23 @@ def closure_text(closed: Closed, nearest: Eased | None = None, *, all_rounds: bo
     return Group(Text(closed.design.name, style="bold"), Text(f"{first}."), *same, Text(), grid)
 
 
-def arranged_text(arranged: Arranged, *, stated: str = "") -> RenderableType:
+def arranged_text(
+    arranged: Arranged, found: ClosedArrangement | None = None, *, stated: str = ""
+) -> RenderableType:  # fmt: skip
     """Return a design in bearings on one screen: the verdict, its bearings, shafts, and masses before and after.
 
     Args:
         arranged: From `arrange`.
+        found: From `close_arranged`; None where sizes are kept.
         stated: Level of the design where it was taken at another one; else empty.
     """
     worse, failing = arranged.worse, [check for check in arranged.sizing.checks if check.fails]
-    said = [f"{sizing_headline(arranged.sizing)}."]
+    said = [f"{sizing_headline(arranged.sizing)}."] if found is None else [*_rounds_in_bearings(found)]
+    worse = worse if found is None else ()
     said += [
         f"Fails, and did not before: {check_sentence(check)}{f'; {check.why}' * bool(check.why)}." for check in worse
     ]
-    if failing and not worse:
+    if failing and not worse and found is None:
         said.append("What fails failed before, too.")
     if stated:
         said.append(f'Taken at level "{arranged.before.design.level}"; that of the design is "{stated}".')
@@ -84,6 +88,22 @@ def arranged_text(arranged: Arranged, *, stated: str = "") -> RenderableType:
     ]
     head = [Text(arranged.design.name, style="bold"), *map(Text, said), Text()]
     return Group(*head, *(table_text(table) for table in arranged_tables(arranged) if table.rows))
+
+
+def _rounds_in_bearings(found: ClosedArrangement) -> Iterator[str]:
+    """Yield whether a gearbox passes with its shafts in bearings, what was moved to that end, and what no freedom
+    meets."""
+    if first := worst(found.checks):
+        outcome = f"{len(found.failing)} of {len(found.checks)} checks fail" if found.failing else "All checks pass"
+        yield f"{outcome}, peaks and resonances with its bearings among them; the worst: {check_sentence(first)}."
+    for number, one in enumerate(found.rounds, start=1):
+        state = f"fails by {one.worst}" if one.worst else "passes"
+        yield f"Round {number}, {one.what or 'as closed without bearings'}: {text(one.mass, 'mass')}, {state}."
+    known = found.left_open
+    for check in found.failing:
+        looked = f"with bearings, over {', '.join(found.searched) or 'nothing'}" if check in known else "by the closure"
+        why = f"; {check.why}" if check.why else ""
+        yield f"Fails, and no freedom meets it that was looked for {looked}: {check_sentence(check)}{why}."
 
 
 def against_text(found: Sequence[Contradiction]) -> RenderableType:

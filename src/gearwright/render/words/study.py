@@ -365,7 +365,13 @@ def equal_life_sentences(rows: Sequence[EqualLife]) -> Iterator[str]:
     if len(passing) > 1:
         yield f"The next, {passing[1].title}, {behind(*passing[:2])}"
     yield from not_comparable(rows, lambda row: row.title)
-    yield from (f"{row.title} does not meet everything: {row.fails}." for row in rows if row.fails)
+    yield from (f"Moved with bearings in it: {row.title}, to {row.moved}." for row in rows if row.moved)
+    yield from (f"{row.title} does not meet everything: {row.fails}{_searched(row)}." for row in rows if row.fails)
+
+
+def _searched(row: EqualLife) -> str:
+    """Return over what it was looked for with bearings in a gearbox; empty where bearings leave nothing unmet."""
+    return f"; with bearings in it looked for over {row.searched}" if row.searched else ""
 
 
 def _lightest(row: EqualLife) -> str:

@@ -48,7 +48,7 @@ from gearwright.sizing.rating import THINNEST_RIM, TOOTH_HEIGHT, geometry as sta
 from gearwright.sizing.result import Body, GearSizing, Sizing
 from gearwright.sizing.shaft_results import CarrierSizing
 from gearwright.spec import GROUND
-from gearwright.spec.design import PRELIMINARY, Pair
+from gearwright.spec.design import BUILT, PRELIMINARY, Pair
 
 BEARING_SURE = 0.30
 """One standard deviation of a bearing that is not chosen, over its value [-]: its series, and what its thrust adds."""
@@ -571,17 +571,18 @@ def gear_item(sizing: Sizing, gear: GearSizing, seats: Seats) -> MassItem:
 # ----------------------------------------------------------------------------------------------------------------------
 # Gears of a preliminary sizing: their mass and inertia are those of the bodies that the complete mass counts.
 #
-# A built shaft leaves out what is inside its gears, whose discs have it. The complete mass has bodies at every level.
+# A built shaft leaves out what is inside its gears, whose discs have it: there the inertia alone is that of the body,
+# to which what lies inside adds little. The complete mass has bodies at every level.
 # ----------------------------------------------------------------------------------------------------------------------
 
 
 def as_made(sizing: Sizing) -> Sizing:
-    """Return a preliminary sizing with gears as they are made: teeth, rims, webs, hubs, bores; any other as it is.
+    """Return a preliminary sizing with gears as they are made: teeth, rims, webs, hubs, bores; a concept as it is.
 
     Args:
         sizing: With shafts and what planets turn on.
     """
-    if sizing.level != PRELIMINARY:
+    if sizing.level not in (PRELIMINARY, BUILT):
         return sizing
     seats = Seats(_bores(sizing), shaft_diameters(sizing))
     return replace(sizing, gears=tuple(_made(sizing, gear, seats) for gear in sizing.gears))
@@ -593,7 +594,7 @@ def _made(sizing: Sizing, gear: GearSizing, seats: Seats) -> GearSizing:
         return gear
     mass = gear_item(sizing, gear, seats).each
     inertia = gear.inertia if f"{gear.name}.inertia" in sizing.given else gear.inertia * (mass / gear.mass)
-    return replace(gear, mass=mass, inertia=inertia)
+    return replace(gear, mass=mass if sizing.level == PRELIMINARY else gear.mass, inertia=inertia)
 
 
 def _bores(sizing: Sizing) -> Mapping[str, PlanetBore]:
