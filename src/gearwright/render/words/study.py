@@ -448,13 +448,13 @@ def ranking_sentences(ranking: Ranking) -> Iterator[str]:
     yield lightest_sentence(ranking)
     if len(passing) > 1:
         yield f"The next, {ranking.called(passing[1])}, {behind(best, passing[1])}"
-    yield from _searched(ranking)
+    yield from _restarts(ranking)
     others = [row for row in ranking.beside if row is not best and row is not passing[min(1, len(passing) - 1)]]
     if others:
         yield f"The lightest of those compared with it, {ranking.called(others[0])}, {behind(best, others[0])}"
 
 
-def _searched(ranking: Ranking) -> Iterator[str]:
+def _restarts(ranking: Ranking) -> Iterator[str]:
     """Yield how often the search was begun anew, and why no oftener."""
     if ranking.stopped:
         times = "once" if ranking.restarts == 1 else f"{ranking.restarts} times"
