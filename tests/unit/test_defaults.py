@@ -83,8 +83,7 @@ NO = """
     Load.static Ask.internal rim_below_roots.internal cylindrical_mesh.internal beyond_ranges.films Joint.is_open
     ClutchDrive.one_way Line.turns_along contact_life_curve.some_pitting
     Needs.every PropellerDrive.beyond Seated.is_machine StageTask.made StageTask.films completed.still settle.still
-    LoadSharing.by_size
-    bevel_size.films LoadSharing.usual MovingBody.held TipRelief.stated body_inside.internal
+    LoadSharing.by_size bevel_size.films LoadSharing.usual MovingBody.held TipRelief.stated body_inside.internal
 """
 PAIRS_OF_ONE = (
     "AgmaBevelDuty.meshes_per_turn AgmaDuty.meshes_per_turn AgmaMaking.rims MeshDuty.meshes_per_turn"
