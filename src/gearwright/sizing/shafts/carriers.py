@@ -68,6 +68,10 @@ class _Pins(NamedTuple):
     """Mass of inner rings on one [kg]."""
 
 
+NO_FRAME = Stiff((0.0, 0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+"""What asks a carrier for no stiffness."""
+
+
 class _CarrierDuty(NamedTuple):
     """What a carrier has to bear, and on what."""
 
@@ -91,17 +95,15 @@ def size_carriers(
         context: What sizing reads.
         gears: From `size_gears`.
         shafts: From `size_shafts`.
-        two_sided: Sets with a plate on both sides.
+        two_sided: Sets with a plate on both sides, as their shaft goes on behind both.
         roomy: Sets with room for a second plate beyond their planets; it shares the force where bridges tie it, but
             at level concept, where pins are cantilevers in one plate, as the thesis has them.
     """
     by_name = {gear.name: gear for gear in gears}
     diameters = {shaft.name: shaft.diameter for shaft in shafts}
-    beyond = set[str]() if context.design.level == CONCEPT else {*two_sided, *roomy}
-    simple = [_carrier(context, name, by_name, diameters, beyond=name in beyond) for name in context.design.planetaries]
-    compound = [
-        _compound(context, name, by_name, diameters, beyond=name in beyond) for name in context.design.epicyclics
-    ]
+    room = {} if context.design.level == CONCEPT else {**dict.fromkeys(roomy, 1), **dict.fromkeys(two_sided, 2)}
+    simple = [_carrier(context, name, by_name, diameters, room.get(name, 0)) for name in context.design.planetaries]
+    compound = [_compound(context, name, by_name, diameters, room.get(name, 0)) for name in context.design.epicyclics]
     return tuple(
         _twice(context, carrier) if carrier.stage in two_sided and carrier.free_plate is None else carrier
         for carrier in (*simple, *compound)
@@ -122,7 +124,7 @@ def _twice(context: Context, carrier: CarrierSizing) -> CarrierSizing:
 
 
 def _carrier(
-    context: Context, name: str, gears: Mapping[str, GearSizing], diameters: Mapping[str, float], *, beyond: bool
+    context: Context, name: str, gears: Mapping[str, GearSizing], diameters: Mapping[str, float], beyond: int
 ) -> CarrierSizing:
     """Return the carrier of a simple set, with two plates where a second one has room and bridges can tie it."""
     planet, radius = gears[str(gear_part(name, Role.PLANET))], pin_circle(context, name, gears)
@@ -135,7 +137,7 @@ def _carrier(
 
 
 def _compound(
-    context: Context, name: str, gears: Mapping[str, GearSizing], diameters: Mapping[str, float], *, beyond: bool
+    context: Context, name: str, gears: Mapping[str, GearSizing], diameters: Mapping[str, float], beyond: int
 ) -> CarrierSizing:
     """Return the carrier of a compound set, with two plates as a simple one where it has one planet in a row."""
     stage, own = context.design.epicyclics[name], {gear.own: gear for gear in gears.values() if gear.stage == name}
@@ -151,11 +153,12 @@ def _compound(
 
 def _lighter(
     context: Context, name: str, pins: Mapping[str, _Pins], loads: Sequence[PinLoad], *, asked: _CarrierDuty,
-    gears: Mapping[str, GearSizing], planet: GearSizing | None, beyond: bool,
+    gears: Mapping[str, GearSizing], planet: GearSizing | None, beyond: int,
 ) -> CarrierSizing:  # fmt: skip
     """Return the lighter carrier of one plate and of two with bridges that keeps planets straight.
 
-    Where the design says how many plates, that; where neither keeps planets straight, the one that tilts them less.
+    Where the design says how many plates, that; where its shaft goes on behind a second one, two; where neither keeps
+    planets straight, the one that tilts them less.
     """
     rules, room = context.design.carriers, _room(context, name, gears)
     one = _sized(context, name, pins, loads, asked=asked, room=room)
@@ -166,7 +169,7 @@ def _lighter(
     if not beyond or asked.equal < 2:
         return one
     two = _of_two_plates(context, name, pins, loads, asked=asked, gears=gears, planet=planet, allowed=allowed)
-    if two is None or rules.plates == 2:
+    if two is None or rules.plates == 2 or beyond > 1:
         return two or one
     stiff = Stiff((_clamping(context, planet, one, asked.equal, allowed), 0.0), one.reach, 0.0, 0.0, 0.0, 0.0, 0.0)
     one = _sized(context, name, pins, loads, asked=asked, room=room, frame=stiff)
@@ -316,7 +319,7 @@ def _sized(
     *,
     asked: _CarrierDuty,
     room: float,
-    frame: Stiff | None = None,
+    frame: Stiff = NO_FRAME,
 ) -> CarrierSizing:
     """Return a carrier with equal pins, as strong as the one that is loaded most needs; as stiff as a frame."""
     rules, given, shaft = context.design.carriers, context.given, context.design.sets[name].carrier
@@ -326,9 +329,7 @@ def _sized(
     length, outermost = pins[worst.body].length, max(equal.radius for equal in pins.values())
     lever, shared = worst.lever, asked.plates > 1
     if shared:
-        held = rules.plate_ratio * length / 2.0
-        lever = shared_lever(length, held if frame is None else max(held, frame.plates[1]))
-        pulled = pulled / 2.0
+        pulled, lever = pulled / 2.0, shared_lever(length, max(rules.plate_ratio * length / 2.0, frame.plates[1]))
     needed = pin_diameter(worst.pin, lever, allowable)
     hollow = needed / math.cbrt(1.0 - PIN_BORE**4) if shared else needed
     pin = given.get(f"{name}.pin_diameter", max(hollow, pins[worst.body].seat))
@@ -339,24 +340,18 @@ def _sized(
     thinnest = max(rules.plate_ratio * length / asked.plates, pulled / (pin * allowable))
     if room > 0.0:  # where the ring leaves less metal outside the pins, plates are thicker
         thinnest = max(thinnest, pulled / (room * allowable))
-    thickness = given.get(f"{name}.plate_thickness", _thickness(thinnest, torque, hub, allowable=allowable))
-    least = min(thinnest, thickness) if shared else thickness
-    if frame is not None:
-        thickness = given.get(f"{name}.plate_thickness", max(thickness, frame.plates[0]))
-        least = max(least, frame.plates[1]) if shared else thickness
-    wall = eye_wall(pulled, least, allowable / 2.0, needed=needed)
-    if frame is not None:
-        wall = max(wall, frame.reach - outermost - pin / 2.0)
+    thickness = max(_thickness(thinnest, torque, hub, allowable=allowable), frame.plates[0])
+    thickness = given.get(f"{name}.plate_thickness", thickness)
+    least = max(min(thinnest, thickness), frame.plates[1]) if shared else thickness
+    wall = max(eye_wall(pulled, least, allowable / 2.0, needed=needed), frame.reach - outermost - pin / 2.0)
     wall = given.get(f"{name}.eye_wall", room if 0.0 < room < wall else wall)
     bending = pin_stress(worst.pin, lever, pin, bore=bore)
     shear = plate_shear_stress(torque, hub, thickness) if hub else 0.0
     torn, pressed = eye_stress(pulled, least, wall), hole_pressure(pulled, pin, least)
-    count = asked.equal
-    masses = {body: count * pin_mass(pin, equal.length, material.density, bore=bore) for body, equal in pins.items()}
     reach = outermost + pin / 2.0 + wall
     together = thickness + least if shared else thickness
     plate = plate_mass(reach, together, material.density, fill=rules.fill)
-    about = sum((mass + count * pins[body].rings) * pins[body].radius ** 2 for body, mass in masses.items())
+    held, about = _pins_mass(pins, asked.equal, (pin, bore), material.density)
     part = carrier_part(name)
     return CarrierSizing(
         stage=name,
@@ -381,10 +376,20 @@ def _sized(
         hole_pressure=pressed,
         hole_margin=allowable / pressed if pressed else math.inf,
         reach=reach,
-        mass=given.get(f"{part}.mass", sum(masses.values()) + plate),
+        mass=given.get(f"{part}.mass", held + plate),
         inertia=given.get(f"{part}.inertia", about + plate * reach**2 / 2.0),
         free_plate=least if shared else None,
     )
+
+
+def _pins_mass(
+    pins: Mapping[str, _Pins], count: int, diameters: tuple[float, float], density: float
+) -> tuple[float, float]:
+    """Return the mass of all pins [kg], and their inertia about the carrier's axis with the rings on them [kg m²]."""
+    pin, bore = diameters
+    masses = {body: count * pin_mass(pin, equal.length, density, bore=bore) for body, equal in pins.items()}
+    about = sum((mass + count * pins[body].rings) * pins[body].radius ** 2 for body, mass in masses.items())
+    return sum(masses.values()), about
 
 
 def _carrier_torques(context: Context, name: str) -> list[float]:
