@@ -438,6 +438,22 @@ def planetary() -> list[Entity]:
     return entities
 
 
+def carrier_twist() -> list[Entity]:
+    """Two plates seen from outside along a pin: the free one lags behind, and the planet's face leans with the pin."""
+    low, high = 22.0, 72.0
+
+    def place(x: float, beside: float = 0.0) -> complex:
+        return complex(x, 0.2 * x + beside)
+
+    entities = [*box(complex(0.0, -22.0), complex(10.0, 24.0)), *box(complex(84.0, -4.0), complex(92.0, 42.0))]
+    entities += [line(place(10.0, -4.0), place(84.0, -4.0)), line(place(10.0, 4.0), place(84.0, 4.0))]
+    entities += [line(*(place(x, y) for x, y in ((low, -14), (high, -14), (high, 14), (low, 14))), closed=True)]
+    entities += [line(place(-6.0), place(98.0), layer=Layer.CENTRE), axis(complex(-2.0, 1.0), complex(92.0, 1.0))]
+    entities += up(place(low, 14.0), place(high, 14.0), 104.0, "largest_misalignment_mm")
+    entities += leader(complex(5.0, -22.0), complex(16.0, -34.0), "plate at which the torque enters")
+    return [*entities, *leader(complex(88.0, -4.0), complex(98.0, -14.0), "free plate")]
+
+
 def compound() -> list[Entity]:
     """A stepped planet between a sun and a ring, in section."""
     distance = 46.0
@@ -814,6 +830,7 @@ DIAGRAMS: tuple[Diagram, ...] = (
         ("gears", "gears.iso6336", "gears.agma2001", "losses", "pairs.NAME", "errors.NAME"), teeth,
     ),
     Diagram("input-planetary", "A planetary set", ("planetaries.NAME",), planetary),
+    Diagram("input-carrier", "A carrier whose free plate lags, not to scale", ("carriers",), carrier_twist),
     Diagram(
         "input-planet-bearing", "What a planet turns on",
         ("planetaries.NAME.planet_bearing",), planet_bearing,
