@@ -23,7 +23,8 @@ UNMOVED = {
 SAME = {
     "serves": ("app --port", "app --browser", "app --folder"),
     "browser": ("review --pdf", "report --pdf"),
-    "long": ("close --crossings", "architectures --close", "architectures --beside", "architectures --out"),
+    "long": ("close --crossings", "architectures --close", "architectures --beside", "architectures --out",
+             "architectures --restarts"),
     "pace": (
         "architectures --workers", "optimise --workers", "study --workers", "study --cluster", "resume --workers",
         "resume --cluster",
@@ -94,7 +95,17 @@ CASES = {
             "--json": "--json",
         },
     ),
-    "arrange": ("pair.toml", {"--level": "--level concept", "--out": "--out arranged.toml", "--json": "--json"}),
+    "arrange": (
+        "pair.toml",
+        {
+            "--life-h": "--life-h 100",
+            "--free": "--free all",
+            "--as-sized": "--as-sized",
+            "--level": "--level concept",
+            "--out": "--out arranged.toml",
+            "--json": "--json",
+        },
+    ),
     "review": (
         "pair.toml",
         {"--report": "--report r.html", "--date": "--report r.html | --date 2020-01-01", "--json": "--json"},

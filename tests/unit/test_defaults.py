@@ -70,7 +70,7 @@ NOTHINGS = """
     Model.mesh.damping Model.mesh.backlash Model.shaft.damping Model.support.damping Model.load.constant
     Model.load.damping Model.load.quadratic Disc.of_steel.bore PlanetarySet.sun_teeth fewest_teeth.gear
     ClassDamage.within.start TransverseTooth.helix_angle TransverseTooth.profile_shift TransverseTooth.tip_alteration
-    TransverseTooth.shaper pin_stress.bore pin_mass.bore section_stresses.bore TeethSearch.refused
+    TransverseTooth.shaper cantilever_tilt.bore pin_stress.bore pin_mass.bore section_stresses.bore TeethSearch.refused
     JointSizing.speed Ask.fastest Ask.relieved on_film.fastest JointSeat.speed TipRelief.stiffness
     TipRelief.tolerance StageTask.deviation ClutchDrive.carried TeethSearch.failing
 """
@@ -83,7 +83,8 @@ NO = """
     Load.static Ask.internal rim_below_roots.internal cylindrical_mesh.internal beyond_ranges.films Joint.is_open
     ClutchDrive.one_way Line.turns_along contact_life_curve.some_pitting
     Needs.every PropellerDrive.beyond Seated.is_machine StageTask.made StageTask.films completed.still settle.still
-    LoadSharing.by_size bevel_size.films LoadSharing.usual MovingBody.held TipRelief.stated body_inside.internal
+    CarrierSizing.alone LoadSharing.by_size bevel_size.films LoadSharing.usual MovingBody.held TipRelief.stated
+    body_inside.internal
 """
 PAIRS_OF_ONE = (
     "AgmaBevelDuty.meshes_per_turn AgmaDuty.meshes_per_turn AgmaMaking.rims MeshDuty.meshes_per_turn"

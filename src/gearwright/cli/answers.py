@@ -70,7 +70,7 @@ ANSWERS: Mapping[str, tuple[str, str]] = MappingProxyType({
 })  # fmt: skip
 """Command -> type of its answer, and of its rows where it has any."""
 REVISIONS: Mapping[str, int] = MappingProxyType({
-    "architectures": 3, "arrange": 2, "campbell": 3, "check": 2, "close": 5, "compare": 3, "compare closed": 5,
+    "architectures": 4, "arrange": 2, "campbell": 3, "check": 2, "close": 5, "compare": 3, "compare closed": 6,
     "duty": 2, "fly": 8, "modes": 2, "optimise": 3, "propeller": 2, "replay colibri": 2, "response": 2, "resume": 3,
     "review": 4, "run": 23, "runup": 3, "simulate": 3, "size": 23, "study": 3, "turboshaft": 3, "window": 4,
 })  # fmt: skip

@@ -300,7 +300,7 @@ def carried_bosses(sizing: Sizing, wall: float) -> tuple[Carried, ...]:
     Collars are at most as long as their boss is wide outside, and bear 2 F/A of shear.
 
     Source: webs built in at both ends: F = Σ k_i (u_i·δ) u_i with k_i ~ 1/L_i within the cross-section, shares
-        ~ 1/L_i³ and moments F_i L_i/2 along the shaft; σ = N/A + M/W ≤ 2 τ (Tresca), τ the working stress.
+        ~ 1/L_i³ and moments F_i L_i/2 along the shaft; σ = N/A + M/W ≤ the working normal stress.
     """
     if not sizing.bearings or not sizing.design.housing.own:
         return ()
@@ -351,11 +351,6 @@ def _carried(sizing: Sizing, group: Sequence[_Boss], holders: Sequence[Holder], 
     return smallest(ways, lambda way: way.volume) if ways else joined
 
 
-def _bears(place: Around) -> float:
-    """Return the stress that webs and collars bear: twice the working shear stress of the housing, by Tresca [Pa]."""
-    return 2.0 * place.material.shear_strength
-
-
 def _between(group: Sequence[_Boss], holders: Sequence[Holder], place: Around) -> Iterator[Collar]:
     """Yield what joins bosses beside each other on one shaft."""
     for one, other in pairwise(group):
@@ -385,7 +380,7 @@ def _collar(
     own = [one for one in holders if one.beside == boss.bearing.name]
     span = (face, face + way * 2.0 * boss.radius)
     inner = _inner(boss.bearing, (min(span), max(span)), own)
-    asked = math.sqrt(inner**2 + (4.0 * forces[0] + forces[1]) / (math.pi * _bears(place)))
+    asked = math.sqrt(inner**2 + (4.0 * forces[0] + forces[1]) / (math.pi * place.material.bending_strength))
     outer = max(boss.radius, inner + place.material.least_wall, asked)
     foot = np.asarray(frame.origin) + face * axis
     lengths = list[float]()
@@ -459,7 +454,7 @@ def _webs(frame: Frame, boss: _Boss, ways: Floats, forces: tuple[float, float], 
             web = Web(boss.bearing.name, start, way, axis, length, width, thickness)
             if _is_free(web, place):
                 webs.append(web)
-        asked = _thickness(webs, forces, _bears(place), place.wall / 2.0)
+        asked = _thickness(webs, forces, place.material.bending_strength, place.wall / 2.0)
         if asked <= thickness:
             return webs
         if asked > 2.0 * boss.radius:

@@ -573,7 +573,7 @@ NEAR = 0.01
 """Room that is enough not to be looked at further [m]."""
 _ROOM = "bending of shafts, and 0.5 mm"
 _APART = "move bearings or gears along their shafts ([bearings], [layout.SHAFT.places])"
-_WEB_CLAUSE = "webs built in at both ends; 2 τ (Tresca)"
+_WEB_CLAUSE = "webs built in at both ends; working normal stress of the housing"
 _BOSS_HELP = "move bearings nearer to a wall, or away from what turns around them ([bearings], [layout.SHAFT.places])"
 
 

@@ -93,7 +93,7 @@ def test_webs_that_lean_too_far_are_refused_by_the_sizing_with_how_far_each_may(
     helical, bevel = refused.value.problems
     assert helical.path == bevel.path == "gears.web_dish"
     assert helical.message == (
-        "0.9 given; must be from -0.0803 to 0.0803, so that the web of helical.wheel meets rim and hub with all of its"
+        "0.9 given; must be from -0.066 to 0.066, so that the web of helical.wheel meets rim and hub with all of its"
         " thickness: lean it less, or write another web_dish in [pairs.helical.gears]"
     )
     assert "of bevel.wheel" in bevel.message and bevel.message.endswith("in [pairs.bevel.gears]")

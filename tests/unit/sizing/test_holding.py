@@ -27,9 +27,9 @@ from gearwright.sizing.shafts import (
 from gearwright.sizing.shafts.ends import groove_strengths
 from gearwright.sizing.shafts.retention import clamped_plate
 from gearwright.spec import edited
-from shipped_work import ball_bearings_of_the_tail, sized
+from shipped_work import BY_HAND, ball_bearings_of_the_tail, sized, text_of
 
-TEXT = gw.shipped_design("ec120b").read_text(encoding="utf-8")
+TEXT = text_of(BY_HAND)
 
 
 def by_side(sizing):
@@ -37,7 +37,7 @@ def by_side(sizing):
 
 
 def test_every_ring_of_the_helicopters_gearbox_that_must_be_held_is():
-    sizing = sized("ec120b")
+    sizing = sized(BY_HAND)
     assert {held.bearing for held in held_rings(sizing)} == set(sizing.design.bearings)
     assert all(held.by for held in held_rings(sizing))
     assert all(check.status is Status.PASSES for check in holding_checks(sizing))
@@ -45,7 +45,7 @@ def test_every_ring_of_the_helicopters_gearbox_that_must_be_held_is():
 
 def test_what_a_bearing_locates_decides_which_rings_are_held():
     """A taper bearing two sides, one that floats by its rollers four, a ball bearing that floats its inner ring."""
-    held = by_side(sized("ec120b"))
+    held = by_side(sized(BY_HAND))
     assert {key[1:] for key in held if key[0] == "mast-upper"} == {("inner", -1), ("outer", 1)}
     assert {key[1:] for key in held if key[0] == "mast-lower"} == {("inner", 1), ("outer", -1)}
     assert len([key for key in held if key[0] == "intermediate-nose"]) == 4
@@ -54,7 +54,7 @@ def test_what_a_bearing_locates_decides_which_rings_are_held():
 
 
 def test_inner_rings_lean_on_shoulders_spacers_and_rings():
-    held = by_side(sized("ec120b"))
+    held = by_side(sized(BY_HAND))
     assert held["mast-upper", "inner", -1].by == "a shoulder"
     assert held["intermediate-rear", "inner", 1].by == "a spacer of 8.5 mm to helical.wheel"
     assert held["intermediate-rear", "inner", -1].by == "a spacer of 6 mm to intermediate-axial"
@@ -65,7 +65,7 @@ def test_inner_rings_lean_on_shoulders_spacers_and_rings():
 
 
 def test_a_spacer_between_two_bearings_is_one_part_that_both_lean_on():
-    sizing = sized("ec120b")
+    sizing = sized(BY_HAND)
     held = by_side(sizing)
     ways = (held["intermediate-rear", "inner", -1], held["intermediate-axial", "inner", 1])
     assert ways[0].holders == ways[1].holders
@@ -78,7 +78,7 @@ def test_a_spacer_between_two_bearings_is_one_part_that_both_lean_on():
 
 def test_a_cover_by_hand():
     """Six screws, the first whose preload is 1.5 times the force: 0.7 · 580 N/mm² on 20.1 mm² of M6."""
-    sizing = sized("ec120b")
+    sizing = sized(BY_HAND)
     cover = next(holder for holder in holders_of(sizing) if holder.kind == "cover" and holder.beside == "mast-upper")
     bearing = next(bearing for bearing in sizing.bearings if bearing.name == "mast-upper")
     force = sizing.design.service.application_factor * abs(bearing.axial)
@@ -105,7 +105,7 @@ def test_a_plain_shaft_that_carries_thrust_needs_a_ring_at_both_ends():
 
 
 def test_grooves_are_cut_into_the_shaft_and_weighed():
-    sizing = sized("ec120b")
+    sizing = sized(BY_HAND)
     (groove,) = (groove for groove in grooves(sizing) if groove.shaft == "tail")
     tail = next(shaft for shaft in sizing.built_shafts if shaft.name == "tail")
     steps = cut_steps(sizing, tail)
@@ -121,18 +121,18 @@ def test_grooves_are_cut_into_the_shaft_and_weighed():
 
 def test_undercuts_lie_in_the_seats_of_bearings_beside_their_shoulders():
     """DIN 509 - F 1.6 x 0.3 of 60 and 75 mm; none where a spacer lies on a shaft that is as thick."""
-    sizing = sized("ec120b")
+    sizing = sized(BY_HAND)
     cuts = {shaft.name: list(undercuts_of(sizing, shaft)) for shaft in sizing.built_shafts}
     assert [(cut.place, cut.edge, cut.bottom) for cut in cuts["mast"]] == [
         pytest.approx((0.044, 0.040, 0.0594)), pytest.approx((0.3015, 0.3055, 0.0744))]  # fmt: skip
     assert [round(1e3 * cut.place, 6) for cut in cuts["intermediate"]] == [233.5]
-    plain = gw.size(edited(gw.read("ec120b"), {"shafting.shoulders": "fillet"}))
+    plain = gw.size(edited(gw.parse(text_of(BY_HAND)), {"shafting.shoulders": "fillet"}))
     assert not any(list(undercuts_of(plain, shaft)) for shaft in plain.built_shafts)
 
 
 def test_a_groove_where_torque_passes_is_as_weak_as_shigley_says():
     """K_ts = 3 of a ring's groove, felt with q of r = 0.12 mm; torque alone: τ = 16 T/(π d³)."""
-    sizing = sized("ec120b")
+    sizing = sized(BY_HAND)
     (found,) = {round(found.torsion_notch, 9) for found in groove_strengths(sizing) if found.shaft == "tail"}
     ksi = sizing.design.shaft_material.ultimate_strength / 6.894757e6
     root = 0.190 - 2.51e-3 * ksi + 1.35e-5 * ksi**2 - 2.67e-8 * ksi**3
@@ -148,7 +148,7 @@ def test_a_thinner_shaft_at_the_groove_fails():
 
 
 def test_parts_that_hold_bearings_stand_in_the_scene_and_in_the_mass():
-    sizing = sized("ec120b")
+    sizing = sized(BY_HAND)
     scene, complete = gw.scene(sizing, detail="coarse"), gw.complete_mass(sizing)
     listed = {item.part: item.each for item in complete.parts}
     turning = sizing.flows[next(iter(sizing.flows))].speeds

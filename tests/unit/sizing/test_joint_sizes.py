@@ -21,7 +21,7 @@ from gearwright.sizing.shafts.sections import (
     spline_root,
 )
 from gearwright.spec.design import Joint
-from shipped_work import sized
+from shipped_work import BY_HAND, sized, text_of
 
 STEEL = materials()["carburised-9310"]
 D = 0.050
@@ -223,7 +223,7 @@ def outside(shaft, seat):
 
 def test_hubs_of_splines_pass_with_their_teeth_over_what_is_further_out():
     """W 70 x 2.5: d_B − 2 m = 65 mm over the bearings' seats of 65 mm; the mast beyond its rotor is turned to 66 mm."""
-    sizing = sized("ec120b")
+    sizing = sized(BY_HAND)
     shafts = {shaft.name: shaft for shaft in sizing.built_shafts}
     splined = [joint for joint in sizing.joints if joint.kind == "spline"]
     assert len(splined) == 5
@@ -239,7 +239,7 @@ def test_hubs_of_splines_pass_with_their_teeth_over_what_is_further_out():
 
 
 def test_a_spline_that_does_not_pass_over_the_seats_outside_it_is_refused_with_one_that_does():
-    text = gw.shipped_design("ec120b").read_text(encoding="utf-8")
+    text = text_of(BY_HAND)
     given = '"helical.wheel" = { kind = "spline", diameter_mm = 66 }'
     with pytest.raises(DesignError, match=r"teeth that leave 61 mm in a seat of 66 mm .* over 65 mm .* give it 70 mm"):
         gw.size(gw.parse(text.replace('"helical.wheel".kind = "spline"', given)))
@@ -247,7 +247,7 @@ def test_a_spline_that_does_not_pass_over_the_seats_outside_it_is_refused_with_o
 
 def test_splines_are_cut_on_to_the_end_of_their_seat_from_which_the_hub_comes():
     """12 mm of the tail drive's hub of 30 mm bear, about 175 mm; its teeth go on to the end of the shaft at 190 mm."""
-    sizing = sized("ec120b")
+    sizing = sized(BY_HAND)
     (teeth,) = shaft_body(sizing, "tail").splines
     assert (teeth.start, teeth.end) == pytest.approx((169.0, 190.0))
     (wheel,) = shaft_body(sizing, "intermediate").splines

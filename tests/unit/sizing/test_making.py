@@ -24,9 +24,9 @@ from gearwright.sizing.making import (
     withdrawals,
 )
 from gearwright.spec import edited
-from shipped_work import ball_bearings_of_the_tail, sized, with_turned_down_tail
+from shipped_work import BY_HAND, ball_bearings_of_the_tail, sized, text_of, with_turned_down_tail
 
-TEXT = gw.shipped_design("ec120b").read_text(encoding="utf-8")
+TEXT = text_of(BY_HAND)
 
 
 def replaced(pattern, new):
@@ -55,7 +55,7 @@ def test_the_take_off_wheel_runs_beside_and_below_the_input_s_front_bearing():
 
     The input's rear bearing ends at 93.5 mm, 10.5 mm beside the large wheel: 36 mm wide, it begins at 104 mm.
     """
-    sizing = sized("ec120b")
+    sizing = sized(BY_HAND)
     check = only(running_checks(sizing))
     shaft = next(shaft for shaft in sizing.built_shafts if shaft.name == "tail")
     across = 1e-3 / math.cos(math.radians(12.0))
@@ -67,7 +67,7 @@ def test_the_take_off_wheel_runs_beside_and_below_the_input_s_front_bearing():
 
 
 def test_a_body_that_is_moved_until_it_nearly_touches_another_fails():
-    sizing = shifted(sized("ec120b"), "input-rear", 10.2e-3)
+    sizing = shifted(sized(BY_HAND), "input-rear", 10.2e-3)
     check = only(running_checks(sizing))
     assert check.value == pytest.approx(0.3e-3, abs=1e-9) and check.fails
     assert "move them apart" in check.why
@@ -88,7 +88,7 @@ def test_a_grinding_wheel_stands_as_wide_as_its_chord():
 
 def test_the_take_off_pinion_is_ground_beside_a_larger_one():
     """From 140 to 155 mm; tips of 77.587 mm above roots of the take-off pinion."""
-    sizing = sized("ec120b")
+    sizing = sized(BY_HAND)
     checks = {str(check.part): check for check in grinding_checks(sizing)}
     check = checks["tail-take-off.pinion"]
     gears = {gear.name: gear for gear in sizing.gears}
@@ -102,7 +102,7 @@ def test_the_take_off_pinion_is_ground_beside_a_larger_one():
 
 def test_a_pinion_that_is_put_nearer_to_a_larger_one_cannot_be_ground():
     """5 mm beside it: D = (5² + 7.1²)/7.1 = 10.6 mm."""
-    sizing = sized("ec120b")
+    sizing = sized(BY_HAND)
     plans = dict(sizing.arrangement.plans)
     places = {**plans["input"].places, "tail-take-off.pinion": 0.154}
     plans["input"] = dataclasses.replace(plans["input"], places=places)
@@ -112,7 +112,7 @@ def test_a_pinion_that_is_put_nearer_to_a_larger_one_cannot_be_ground():
 
 
 def test_what_is_slid_on_is_told_from_the_inside_out():
-    checks = {str(check.part): check for check in stack_checks(sized("ec120b"))}
+    checks = {str(check.part): check for check in stack_checks(sized(BY_HAND))}
     assert (
         checks["mast"].place == "from the first end bevel.wheel, mast-lower; from the second end mast-upper, main-rotor"
     )
@@ -122,7 +122,7 @@ def test_what_is_slid_on_is_told_from_the_inside_out():
 
 def test_a_bearing_smaller_than_a_step_outside_it_does_not_pass():
     """An inner ring of 30 mm does not go over a machine's seat of 32 mm."""
-    sizing = sized("ec120b")
+    sizing = sized(BY_HAND)
     thick = [dataclasses.replace(step, diameter=0.032) if step.seat == "arrius-2f" else step
              for step in sizing.built_shafts[0].steps]  # fmt: skip
     shafts = (dataclasses.replace(sizing.built_shafts[0], steps=tuple(thick)), *sizing.built_shafts[1:])
@@ -138,7 +138,7 @@ def test_shafts_as_reported_have_no_seats_for_their_bearings():
 def test_the_shafts_of_the_ec120b_leave_one_after_another():
     """The bevel wheel leaves away from its apex. The input leaves after the tail's shaft, by its second end: the
     take-off pinion's tips of 35.2 mm and the wheel's of 178.9 mm do not pass each other in 213.7 mm."""
-    sizing = sized("ec120b")
+    sizing = sized(BY_HAND)
     out, left = withdrawals(sizing)
     assert not left
     assert Withdrawn("mast", -1) in out and Withdrawn("mast", 1) not in out
@@ -150,7 +150,7 @@ def test_the_shafts_of_the_ec120b_leave_one_after_another():
 
 def test_a_shaft_with_pinions_on_both_sides_of_a_large_wheel_is_locked_in():
     """Another take-off pinion 80 mm before the first one: neither passes the tips of the wheel between them."""
-    sizing = sized("ec120b")
+    sizing = sized(BY_HAND)
     moved = shifted(sizing, "tail-take-off.pinion", -0.080).arrangement.bodies
     more = next(body for body in moved if str(body.part) == "tail-take-off.pinion")
     bodies = (*sizing.arrangement.bodies, more)
@@ -209,7 +209,7 @@ def test_planets_that_leave_too_little_for_bridges_are_told():
 
 
 def test_a_review_lists_them():
-    modes = {check.mode for check in review_of(sized("ec120b")).checks}
+    modes = {check.mode for check in review_of(sized(BY_HAND)).checks}
     assert {"running clearance", "wheel that grinds it", "assembly order", "assembly of its parts"} <= modes
 
 

@@ -10,8 +10,9 @@ from gearwright.shipped import shipped_design
 from gearwright.sizing import size
 from gearwright.sizing.rating import STANDARD_MODULES, Ask, modules, rating_of
 from gearwright.spec import edited, parse, read
+from shipped_work import BY_HAND, text_of
 
-HELICOPTER = read(shipped_design("ec120b"))
+HELICOPTER = parse(text_of(BY_HAND))
 SIZED = size(HELICOPTER)
 PAIR = """
 schema = 1

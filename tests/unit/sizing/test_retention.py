@@ -16,9 +16,9 @@ from gearwright.sizing.shafts import holding_checks, retention_checks, retention
 from gearwright.sizing.shafts.ends import seal_checks
 from gearwright.sizing.shafts.retention import Seated, _retention, _seated, _thrust, ends
 from gearwright.spec.design import LOCATES
-from shipped_work import ball_bearings_of_the_tail, sized, with_turned_down_tail
+from shipped_work import BY_HAND, ball_bearings_of_the_tail, sized, text_of, with_turned_down_tail
 
-TEXT = gw.shipped_design("ec120b").read_text(encoding="utf-8")
+TEXT = text_of(BY_HAND)
 
 
 def moved(bearing, by):
@@ -33,7 +33,7 @@ def checks_of(sizing):
 
 def test_a_ring_beside_the_four_point_bearing_of_the_input_holds_its_thrust():
     """DIN 471 - 25 × 1.2: d_2 = 23.9 mm bears 200/1.2 N/mm² on its collar."""
-    sizing = sized("ec120b")
+    sizing = sized(BY_HAND)
     check = checks_of(sizing)["input"]
     bearing = next(bearing for bearing in sizing.bearings if bearing.name == "input-axial")
     assert check.status is Status.PASSES
@@ -44,7 +44,7 @@ def test_a_ring_beside_the_four_point_bearing_of_the_input_holds_its_thrust():
 
 def test_an_end_plate_holds_a_bearing_that_has_no_room_for_a_groove():
     """QJ 313 stands 3.5 mm from the end of its shaft, a groove takes 7.15; M20 of 8.8: 0.7 · 600 N/mm² · 245 mm²."""
-    check = checks_of(sized("ec120b"))["intermediate"]
+    check = checks_of(sized(BY_HAND))["intermediate"]
     assert check.status is Status.PASSES and check.place == "end plate with M20 beside intermediate-axial"
     assert check.value == pytest.approx(0.7 * 600.0 * 244.8, rel=1e-3)
     assert check.limit == pytest.approx(33550.0, rel=1e-3)
@@ -89,7 +89,7 @@ def test_where_nothing_holds_what_pulls_the_check_fails_and_says_what_would_help
 
 
 def test_an_end_plate_needs_a_centre_and_enough_preload():
-    (held,) = (held for held in retentions(sized("ec120b")) if held.shaft == "intermediate")
+    (held,) = (held for held in retentions(sized(BY_HAND)) if held.shaft == "intermediate")
     assert held.holds and held.has_plate
     assert not held._replace(hole=None).holds
     assert not held._replace(force=103e3).holds
@@ -97,7 +97,7 @@ def test_an_end_plate_needs_a_centre_and_enough_preload():
 
 def test_a_nut_holds_what_a_ring_cannot_where_it_has_room():
     """KM 13 on the seat of 65 mm: washer 1.5 mm, nut 12 mm, a turn of 2 mm; a ring would hold 39 kN."""
-    (held,) = (held for held in retentions(sized("ec120b")) if held.shaft == "intermediate")
+    (held,) = (held for held in retentions(sized(BY_HAND)) if held.shaft == "intermediate")
     roomy = held._replace(room=0.020, force=80e3)
     assert not roomy.has_ring and roomy.has_nut and not roomy.has_plate
     assert roomy.nut.designation == "KM 13 with MB 13" and roomy.nut.room == pytest.approx(15.5e-3)
@@ -109,7 +109,7 @@ def test_a_nut_holds_what_a_ring_cannot_where_it_has_room():
 
 def test_a_shoulder_holds_what_pushes_against_it():
     """The upper taper bearing of the mast takes thrust towards the second end, against the collar below it."""
-    assert all((held.shaft, held.way) != ("mast", 1) for held in retentions(sized("ec120b")))
+    assert all((held.shaft, held.way) != ("mast", 1) for held in retentions(sized(BY_HAND)))
 
 
 def test_a_seat_beside_which_the_shaft_is_thinner_has_no_room(unheld):
@@ -118,7 +118,7 @@ def test_a_seat_beside_which_the_shaft_is_thinner_has_no_room(unheld):
 
 
 def test_a_review_lists_what_holds_shafts():
-    modes = {check.mode for check in review_of(sized("ec120b")).checks}
+    modes = {check.mode for check in review_of(sized(BY_HAND)).checks}
     assert {"axial retention at its first end", "axial retention of its rings", "axial retention by its cover"} <= modes
     assert "fatigue at its groove of DIN 471 - 25 x 1.2" in modes
 

@@ -12,32 +12,30 @@ from gearwright.sizing.making import built_checks
 from gearwright.sizing.shafts import holders_of, seal_checks, sealed_exits, unsealed_exits
 from gearwright.sizing.shafts.ends import exits_of
 from gearwright.spec import edited
-from shipped_work import ball_bearings_of_the_tail, sized
+from shipped_work import BY_HAND, ball_bearings_of_the_tail, sized, text_of
 
 RELIEF, LEAST_WALL = 2e-3, 4e-3
 """Depth of a cover over inner ring and cage, and the thinnest aluminium casting [m]."""
 
 
-def with_(name="ec120b", **changes):
-    return gw.size(edited(gw.read(name), {key.replace("__", "."): value for key, value in changes.items()}))
+def with_(name=BY_HAND, **changes):
+    return gw.size(edited(gw.parse(text_of(name)), {key.replace("__", "."): value for key, value in changes.items()}))
 
 
 def test_every_end_of_the_helicopters_gearbox_that_leaves_has_a_seal():
-    sealed = {one.leaves.machine: one.seal.designation for one in sealed_exits(sized("ec120b"))}
+    sealed = {one.leaves.machine: one.seal.designation for one in sealed_exits(sized(BY_HAND))}
     assert sealed == {
         "arrius-2f": "DIN 3760 - A 30 x 42 x 7 - FKM", "main-rotor": "DIN 3760 - A 75 x 95 x 10 - FKM",
         "oil-pump": "DIN 3760 - A 10 x 22 x 7 - FKM", "tail-drive": "DIN 3760 - A 20 x 35 x 7 - FKM",
     }  # fmt: skip
-    assert unsealed_exits(sized("ec120b")) == ()
-    left = [
-        (str(check.part), check.mode) for check in seal_checks(sized("ec120b")) if check.status is not Status.PASSES
-    ]
+    assert unsealed_exits(sized(BY_HAND)) == ()
+    left = [(str(check.part), check.mode) for check in seal_checks(sized(BY_HAND)) if check.status is not Status.PASSES]
     assert left == [("main-rotor", "seal hardness")]  # no teeth of one piece with the mast are case-hardened
 
 
 def test_the_mast_is_as_thick_as_its_bearing_under_the_seal_and_thinner_beyond():
     """71 mm carry the rotor, for which there is no seal: 75 mm as far as the bearing is wide."""
-    mast = next(shaft for shaft in sized("ec120b").built_shafts if shaft.name == "mast")
+    mast = next(shaft for shaft in sized(BY_HAND).built_shafts if shaft.name == "mast")
     bearing = next(step for step in mast.steps if step.seat == "mast-upper")
     seat, beyond = (step for step in mast.steps if bearing.end - 1e-9 < step.start < 0.42)
     assert seat.diameter == pytest.approx(0.075) and beyond.diameter == pytest.approx(0.071)
@@ -48,7 +46,7 @@ def test_the_mast_is_as_thick_as_its_bearing_under_the_seal_and_thinner_beyond()
 
 def test_a_seal_lies_behind_the_plate_of_its_cover_beyond_what_turns():
     """The tail shaft: a ring of 1.2 mm, 1 mm of air, 4 mm of plate; then 7 mm of seal in a bore 0.3 mm deeper."""
-    sizing = sized("ec120b")
+    sizing = sized(BY_HAND)
     bearing = next(bearing for bearing in sizing.bearings if bearing.name == "tail-rear")
     cover, seal = (
         next(holder for holder in holders_of(sizing) if holder.beside == "tail-rear" and holder.kind == kind)
@@ -67,7 +65,7 @@ def test_a_seal_lies_behind_the_plate_of_its_cover_beyond_what_turns():
 
 
 def test_screws_of_a_cover_have_room_beside_its_boss():
-    for cover in (holder for holder in holders_of(sized("ec120b")) if holder.stepped):
+    for cover in (holder for holder in holders_of(sized(BY_HAND)) if holder.stepped):
         boss = min(ring.outer for ring in cover.rings)
         screw = 1e-3 * float(cover.designation.split("M")[1].split(",")[0])
         assert cover.outer - 2.5 * screw - boss >= 1.5 * screw - 1e-9  # circle less boss: a head of 1.5 d between
@@ -100,7 +98,7 @@ def test_a_lip_that_is_asked_for_and_does_not_suit_fails():
 def test_sheets_of_shafts_say_what_is_asked_under_the_lips():
     """h11 on the stretch, its deviations, a case where the teeth have one, and no lead."""
     for name, fit, lower, hard in (("input", "Ø30 h11", "-130", "55 HRC"), ("mast", "Ø75 h11", "-190", "45 HRC")):
-        content = shaft_content(sized("ec120b"), name)
+        content = shaft_content(sized(BY_HAND), name)
         fits = next(grid for grid in content.grids if grid.title.startswith("Fits"))
         assert (fit, "0", lower) in fits.rows
         (note,) = (note for note in content.notes if note.startswith("Under the seal"))
@@ -115,7 +113,7 @@ def test_no_seal_is_a_choice_and_leaves_the_estimate():
     weights = {item.part: item.each for item in gw.complete_mass(sizing).parts}
     assert weights["arrius-2f seal"] == pytest.approx(40.0 * 0.030**2)
     assert not [
-        name for name in (item.part for item in gw.complete_mass(sized("ec120b")).parts) if name == "arrius-2f seal"
+        name for name in (item.part for item in gw.complete_mass(sized(BY_HAND)).parts) if name == "arrius-2f seal"
     ]
 
 
@@ -151,5 +149,5 @@ def test_what_sits_too_near_to_a_bearing_leaves_no_room_under_the_lip():
 
 
 def _places():
-    layout = gw.read("ec120b").layout["input"]
+    layout = gw.parse(text_of(BY_HAND)).layout["input"]
     return {name: place.model_dump() for name, place in layout.places.items()}

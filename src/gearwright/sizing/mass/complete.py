@@ -108,7 +108,7 @@ def _parts(sizing: Sizing, shell: Shell, wall: Wall, bearings: Sequence[MassItem
     yield _item("bosses", bosses, "wall of 0.12 D around bearings, as wide as covers at least", "estimate")
     webs = sum(carried.volume for carried in carried_bosses(sizing, wall.thickness)) * material.density
     if webs:
-        yield _item("webs", webs, "F = Σ k_i (u_i·δ) u_i, σ = N/A + M/W ≤ 2 τ", "webs built in at both ends")
+        yield _item("webs", webs, "F = Σ k_i (u_i·δ) u_i, σ = N/A + M/W", "webs built in at both ends")
     lands = sum(land.volume for land in lands_of(sizing, wall.thickness)) * material.density
     if lands:
         yield _item("lands of rings", lands, "from the splines of rings to the wall", "DIN 5480-1; widths: estimates")
