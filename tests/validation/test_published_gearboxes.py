@@ -98,20 +98,20 @@ def test_carriers_of_the_model_of_5_mw_have_their_metal_as_far_out_as_the_publis
         assert gyration == pytest.approx(published, rel=0.20)
 
 
-def test_the_fan_drive_is_a_fifth_above_the_larger_of_two_published_masses():
-    """Within 1.25 of the 250 lb told elsewhere, half above a journalist's "about 200 lb", and at most 140 kg.
+def test_the_fan_drive_is_a_tenth_above_the_larger_of_two_published_masses():
+    """Within 1.25 of the 250 lb told elsewhere, two fifths above a journalist's "about 200 lb", and at most 140 kg.
 
-    A known miss: 46 % wider than "about 18 in". No check of it fails; its films are as thick as is published of such
+    A known miss: 38 % wider than "about 18 in". No check of it fails; its films are as thick as is published of such
     bearings, and its ring is by gears that scuff.
     """
     found = row("Fan drive of 30 000 shp")
     pound = 0.45359237
     assert found.mass.total <= 140.0
-    assert found.mass.total / (250.0 * pound) == pytest.approx(1.205, rel=0.02)
-    assert found.mass.total / (200.0 * pound) == pytest.approx(1.507, rel=0.02)
+    assert found.mass.total / (250.0 * pound) == pytest.approx(1.106, rel=0.02)
+    assert found.mass.total / (200.0 * pound) == pytest.approx(1.383, rel=0.02)
     assert not [check for check in found.sizing.checks if check.fails]
     ring = next(gear for gear in found.sizing.gears if gear.rim)
-    assert 2.0 * ring.rim + ring.pitch_diameter == pytest.approx(1.46 * 18 * 0.0254, rel=0.02)
+    assert 2.0 * ring.rim + ring.pitch_diameter == pytest.approx(1.376 * 18 * 0.0254, rel=0.02)
 
 
 def test_films_of_the_fan_drive_are_as_published_claims_have_them():

@@ -395,7 +395,7 @@ class GearSizing:
             f"{_THESIS}, eq. 3.6; annulus",
         ),
     ]
-    """Polar inertia of one body about its own axis [kg m²]."""
+    """Polar inertia of one body about its own axis, above level concept with m of the body as it is made [kg m²]."""
     profile_shift: Annotated[float, Quantity("ratio"), Origin("x", "design; DIN 3992 where balanced")]
     """Profile shift coefficient x, positive where it thickens the tooth [-]."""
     tip_alteration: Annotated[

@@ -25,7 +25,7 @@ from gearwright.shape.chambers import Chamber, depth_in
 from gearwright.shipped import shipped_designs
 from gearwright.sizing.casing import screw_volume
 from gearwright.sizing.mass import complete_mass, weighed_flanges
-from shipped_work import coarse, sized
+from shipped_work import BY_HAND, coarse, sized
 
 MM = 1e3
 WITHOUT = {"face-gear-split-torque"}
@@ -241,7 +241,7 @@ def test_screws_stand_in_the_faces_of_flanges_as_far_apart_as_a_spanner_asks(nam
 
 def test_the_sheet_of_the_housing_says_what_is_weighed_and_how_axes_stand():
     """js7 of 213.669 mm, 23 µm; the whole length by its chambers; 46 screws M6 for a girth of 1.377 m, 5 d apart."""
-    sizing = sized("ec120b")
+    sizing = sized(BY_HAND)
     content = casing_content(sizing, coarse(sizing))
     grids = {grid.title: grid.rows for grid in content.grids}
     assert {row[4] for row in grids["Flanges [mm]"]} == {"46 x M6"} and len(grids["Flanges [mm]"]) == 3
