@@ -12,7 +12,6 @@ from gearwright.base import (
     BEYOND_SIZING,
     GEARBOX,
     Check,
-    DesignError,
     Kind,
     PartId,
     Shown,
@@ -35,7 +34,7 @@ from gearwright.mission.lives import (
     Upkeep,
     housing_assumptions,
     housing_checks,
-    housing_sections,
+    known_sections,
     upkeep_checks,
     upkeep_of,
 )
@@ -251,7 +250,7 @@ def review_of(
         lives = lives or durability(flight)
         checks += flight_checks(flight, lives, life=life)
     complete = complete_mass(sizing)
-    sections, why = _sections(sizing, flight, complete)
+    sections, why = known_sections(sizing, flight, complete.total)
     upkeep = upkeep_of(sizing, flight, lives)
     checks += upkeep_checks(sizing, upkeep)
     checks += housing_checks(sizing, sections, mission="" if flight is None else flight.mission.name, why=why)
@@ -269,14 +268,6 @@ def review_of(
         housing_assumed=tuple(housing_assumptions(sizing, flight)) if sections else (),
         upkeep=upkeep,
     )
-
-
-def _sections(sizing: Sizing, flight: Flight | None, complete: CompleteMass) -> tuple[tuple[HousingSection, ...], str]:
-    """Return what tires the housing, or why that is not known."""
-    try:
-        return housing_sections(sizing, flight, complete.total), ""
-    except DesignError as error:  # nothing takes a force along a shaft
-        return (), "; ".join(problem.message for problem in error.problems)
 
 
 def _masses(complete: CompleteMass) -> dict[str, Named]:

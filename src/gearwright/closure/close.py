@@ -73,6 +73,7 @@ from gearwright.closure.requirements import (
 from gearwright.dynamics.sharing import sharing_checks
 from gearwright.dynamics.vibration import peak_checks, resonance_checks
 from gearwright.mission import Flight, durability, flight_checks, fly
+from gearwright.mission.lives import housing_checks, known_sections
 from gearwright.sizing import Sizing, size
 from gearwright.sizing.bearing_seats import ENDS, planet_bodies
 from gearwright.sizing.making import built_checks
@@ -557,6 +558,8 @@ def _asked_by(state: Settled, failing: Iterable[Check]) -> dict[str, float]:
 def _closed(asked: _Request, state: Settled, written: Written, moved: list[Check]) -> Closed:
     wishes, sizing = asked.wishes, written.sizing
     checks = [*sizing.checks, *built_checks(sizing), *sharing_checks(sizing), *moved, *resonance_checks(sizing)]
+    sections, why = known_sections(sizing, None, complete_mass(sizing).total)
+    checks += housing_checks(sizing, sections, why=why)
     checks = [*wanted(checks, wishes.left_out), state.converged]
     accepted_ = accepted(checks, sizing.design.waivers)
     effort = now().effort(tuple(_not_searched(asked)))

@@ -268,8 +268,13 @@ REQUIREMENTS: Mapping[str, Requirement] = MappingProxyType({
         "other speeds, another split of the ratio, stiffer or softer shafts; a waiver where the peak passes",
     ),
     "room": Requirement(
-        ("room", "keep-out", "axes of"), (), "places of axes, by the sizing",
+        ("room", "keep-out", "axes of", "installation envelope"), (), "places of axes, by the sizing",
         "other sides or distances of shafts ([layout])",
+    ),
+    "housing": Requirement(
+        ("shell fatigue", "wall fatigue", "flat wall fatigue", "web fatigue", "collar fatigue", "mount fatigue",
+         "arm fatigue"), (), "nothing",
+        "a thicker wall ([housing] wall_mm), a stronger material, smaller forces on bearings",
     ),
     "making": Requirement(
         ("assembly", "axial retention", "access", "running clearance", "wheel that grinds", "order along",

@@ -85,6 +85,7 @@ GIVEN = {
                                "planetaries.set.pin_diameter_mm": 20, "carriers.safety": 20, **SIXFOLD}),
     "machines": (ROTOR, {}),
     "room": (PAIR + WALL, {}),
+    "housing": (PAIR, {"housing.fatigue_safety": 5.0, "housing.wall_mm": 1.5}),
     "joints": (KEYED, {}),
     "rims": (SPLINED, STUBBY),
     "making": (SPLINED, STUBBY),

@@ -12,7 +12,7 @@ from gearwright.shipped import shipped_designs
 from gearwright.sizing import size
 from gearwright.sizing.making import leaves_past, withdrawals
 from gearwright.spec import edited
-from shipped_work import flown, lives, sized
+from shipped_work import BY_HAND, flown, lives, sized
 
 HOUR = 3600.0
 
@@ -79,11 +79,11 @@ def test_what_a_set_waits_for_follows_from_where_it_stands():
 
 def test_shafts_leave_behind_the_fewest_others_and_no_fewer_would_do():
     """EC120B: the intermediate shaft after tail and input, the input after the tail, mast and tail at once."""
-    sizing = sized("ec120b")
+    sizing = sized(BY_HAND)
     shafts = [shaft.name for shaft in sizing.built_shafts]
     ways = {step.shaft: step for step in withdrawals(sizing)[0]}
     for shaft, before in {"mast": (), "tail": (), "input": ("tail",), "intermediate": ("tail", "input")}.items():
-        found = task("ec120b", shaft, "overhaul with its bearings")
+        found = task(BY_HAND, shaft, "overhaul with its bearings")
         assert tuple(word.removeprefix("shaft ") for word in found.first if word.startswith("shaft ")) == before
         left = [name for name in shafts if name not in before]
         assert leaves_past(sizing, ways[shaft], left)

@@ -50,7 +50,7 @@ from gearwright.sizing.mass.bodies import bevel_cones as bevel_pair
 from gearwright.sizing.shafts import holders_of
 from gearwright.spec import edited
 from html_checks import stands_alone
-from shipped_work import coarse, sized
+from shipped_work import BY_HAND, coarse, sized, text_of
 
 
 @pytest.fixture(scope="module")
@@ -142,7 +142,7 @@ def _chained(sheet, shaft, end):
 
 def test_dimensions_of_the_helicopter_gearbox_are_its_sizing():
     """Every diameter outside of teeth, every end of a step, every fillet of the shafts that were built."""
-    sizing = sized("ec120b")
+    sizing = sized(BY_HAND)
     found = {sheet.name: sheet for sheet in sheets(sizing, ["shaft"])}
     inside = {joint.part for joint in sizing.joints if joint.kind == "integral"}
     for shaft in sizing.built_shafts:
@@ -198,7 +198,7 @@ def test_dimensions_of_a_bevel_gear_are_its_cones(built, drawings):
 @pytest.mark.parametrize("side", [0, 1])
 def test_every_angle_on_the_sheet_of_a_bevel_gear_is_one_of_its_cones_and_the_table_has_all_three(built, side):
     """Where a line would run through the text of an angle at every radius, the table has it alone."""
-    for sizing in (built, sized("ec120b")):
+    for sizing in (built, sized(BY_HAND)):
         (sheet,) = sheets(sizing, [f"gear-bevel.{('pinion', 'wheel')[side]}"])
         pair = bevel_pair(sizing, "bevel")
         face, root = face_and_root(pair, side)
@@ -209,8 +209,8 @@ def test_every_angle_on_the_sheet_of_a_bevel_gear_is_one_of_its_cones_and_the_ta
         for each in drawn_angles:
             assert any(math.isclose(float(each.get_measurement()), math.degrees(cone), abs_tol=1e-6)
                        for cone in cones.values())  # fmt: skip
-    (wheel,) = sheets(sized("ec120b"), ["gear-bevel.wheel"])
-    cone = bevel_pair(sized("ec120b"), "bevel").pitch_angles[1]
+    (wheel,) = sheets(sized(BY_HAND), ["gear-bevel.wheel"])
+    cone = bevel_pair(sized(BY_HAND), "bevel").pitch_angles[1]
     angles = [float(each.get_measurement()) for each in written(wheel).modelspace().query("DIMENSION") if each.dimtype]
     assert any(math.isclose(math.degrees(cone), each, abs_tol=1e-6) for each in angles)
 
@@ -415,7 +415,7 @@ def test_the_arrangement_lists_every_part_and_shows_the_centre_distance(built, d
 
 def test_a_shaft_weighs_what_is_cut_from_its_piece():
     """Parts, bearings left out, weigh what the gearbox weighs; within the three digits of the list."""
-    sizing = sized("ec120b")
+    sizing = sized(BY_HAND)
     grid, axes = arrangement_content(sizing, coarse(sizing)).grids
     assert {row[0] for row in axes.rows} == {"input", "intermediate", "mast", "tail"}
     parts = [row for row in grid.rows if row[2].startswith(("Shaft", "Gear"))]
@@ -427,7 +427,7 @@ def test_a_shaft_weighs_what_is_cut_from_its_piece():
 
 def test_a_bevel_wheel_has_a_hub_as_long_as_its_seat_on_the_shaft():
     """Seat: the step of the mast that carries the wheel; its place from the apex: cone distance and pitch angle."""
-    sizing = sized("ec120b")
+    sizing = sized(BY_HAND)
     wheel, (mast,) = gear_of(sizing, "bevel.wheel"), [each for each in sizing.built_shafts if each.name == "mast"]
     (seat,) = [step for step in mast.steps if step.seat == "bevel.wheel"]
     hub, pair = hub_of(sizing, wheel, "mast"), bevel_pair(sizing, "bevel")
@@ -441,7 +441,7 @@ def test_a_bevel_wheel_has_a_hub_as_long_as_its_seat_on_the_shaft():
 
 def test_a_bevel_wheel_drawn_into_a_bearing_is_named_on_the_arrangement():
     """The mast's lower bearing, 4 mm nearer to a wheel whose back clears it by 3.2 mm."""
-    design = gw.read(gw.shipped_design("ec120b"))
+    design = gw.parse(text_of(BY_HAND))
     near = edited(design, {"bearings.mast-lower.position_mm": 29.0})
     said = [
         [note for note in arrangement_content(gw.size(each), coarse(gw.size(each))).notes if "elsewhere" in note]
@@ -508,11 +508,11 @@ def test_every_gear_has_a_sheet_with_its_tooth_data_and_sheets_agree(name):
 
 def test_seats_of_bearings_run_out_by_half_of_it5_against_both_radial_ones():
     """IT5 of 60 and of 75 mm is 13 µm (ISO 286-1:2010, table 1); the mast's tapers are its radial bearings."""
-    sheet = next(sheet for sheet in sheets(sized("ec120b"), ["shaft-mast"]))
+    sheet = next(sheet for sheet in sheets(sized(BY_HAND), ["shaft-mast"]))
     texts = [words.text for words in words_of(sheet)]
     assert texts.count("0.0065") == 2
     assert texts.count("A") == texts.count("B") == 2 + 1  # at the frame's edges, and the datum
-    (first,) = [seat for seat in sized("ec120b").bearings if seat.name == "mast-lower"]
+    (first,) = [seat for seat in sized(BY_HAND).bearings if seat.name == "mast-lower"]
     (wide,) = [mark for mark in sheet.entities if isinstance(mark, Distance) and mark.text == "Ø60 m6"]
     assert wide.measured == pytest.approx(1e3 * first.bearing.bore)
     letter = next(words for words in words_of(sheet) if words.text == "A" and words.layer is Layer.SYMBOL)
@@ -523,14 +523,14 @@ def test_seats_of_bearings_run_out_by_half_of_it5_against_both_radial_ones():
 def test_a_first_sizing_has_no_datums_and_a_bored_gear_has_its_bore():
     plain = {sheet.name: sheet for sheet in sheets(sized("in-line-h2"))}
     assert not any(words.text == "A–B" for words in words_of(plain["shaft-input"]))
-    wheel = sheets(sized("ec120b"), ["gear-helical.wheel"])[0]
+    wheel = sheets(sized(BY_HAND), ["gear-helical.wheel"])[0]
     texts = [words.text for words in words_of(wheel)]
     assert "0.025" in texts  # IT5 of 348.73 mm, the root diameter (ISO 286-1:2010, table 1)
 
 
 def test_a_spline_stands_with_its_data():
     """DIN 5480 - W 78 × 3 × 24: d_a1 = d_B − 0.2 m, d_f1 = d_B − 2.3 m hobbed, x = (d_B − m z − 1.1 m)/(2 m)."""
-    sheet = sheets(sized("ec120b"), ["shaft-mast"])[0]
+    sheet = sheets(sized(BY_HAND), ["shaft-mast"])[0]
     rows = table(sheet)
     assert (rows["Tip diameter"], rows["Root diameter, hobbed"]) == ("77.4", "71.1")
 
@@ -542,7 +542,7 @@ def test_a_file_is_the_same_each_time(drawings):
 
 def test_crossed_axes_are_seen_along_the_first_shaft_too():
     """EC120B: pitch circles about input, intermediate and tail at their true places; the mast upright across them."""
-    sizing = sized("ec120b")
+    sizing = sized(BY_HAND)
     (sheet,) = sheets(sizing, ["arrangement"])
     circles = {arc.centre for arc in sheet.entities if isinstance(arc, Arc) and arc.layer is Layer.PITCH}
     frames = sizing.arrangement.frames
@@ -558,7 +558,7 @@ def test_crossed_axes_are_seen_along_the_first_shaft_too():
 
 
 def test_bores_of_the_housing_have_their_bearings_sizes_and_what_they_must_keep():
-    sizing = sized("ec120b")
+    sizing = sized(BY_HAND)
     (sheet,) = sheets(sizing, ["housing-bores"])
     values = measured(sheet)
     for bearing in sizing.bearings:
@@ -591,7 +591,7 @@ def test_a_frame_has_the_symbol_its_zone_and_its_datums():
 
 def test_a_groove_is_dimensioned_on_the_sheet_of_its_shaft():
     """DIN 471 - 25 x 1.2: Ø23.9, 1.3 mm wide; its loaded side at 216.8 mm is 37.3 mm from the shoulder at 179.5 mm."""
-    (sheet,) = sheets(sized("ec120b"), ["shaft-input"])
+    (sheet,) = sheets(sized(BY_HAND), ["shaft-input"])
     values = measured(sheet)
     for value in (23.9, 1.3, 216.8 - 179.5):
         assert any(math.isclose(value, each, rel_tol=1e-9) for each in values), value
@@ -603,7 +603,7 @@ def test_a_groove_is_dimensioned_on_the_sheet_of_its_shaft():
 def test_lengths_between_shoulders_of_bearings_and_to_teeth_have_tolerances():
     """ISO 286-1:2010, table 1: IT9 of 257.5 mm is 130 µm, of 84.5 mm 87 µm, IT10 of 51 and of 69 mm 120 µm."""
     said = {
-        name: {mark.text for mark in sheets(sized("ec120b"), [name])[0].entities if isinstance(mark, Distance)}
+        name: {mark.text for mark in sheets(sized(BY_HAND), [name])[0].entities if isinstance(mark, Distance)}
         for name in ("shaft-mast", "shaft-tail")
     }
     assert "257.5 ±0.065" in said["shaft-mast"] and "301.5" not in said["shaft-mast"]
@@ -612,7 +612,7 @@ def test_lengths_between_shoulders_of_bearings_and_to_teeth_have_tolerances():
 
 def test_shoulders_teeth_and_splines_run_out_against_the_axis_of_both_seats():
     """IT5 of 60 and 75 mm: 13 µm; IT7 of 78 and 71 mm: 30 µm; ISO 1328-1 of z = 88, m = 1, class 4: 12 µm."""
-    texts_of = {name: [words.text for words in words_of(sheets(sized("ec120b"), [name])[0])]
+    texts_of = {name: [words.text for words in words_of(sheets(sized(BY_HAND), [name])[0])]
                 for name in ("shaft-mast", "shaft-tail")}  # fmt: skip
     assert texts_of["shaft-mast"].count("0.013") == texts_of["shaft-mast"].count("0.03") == 2
     assert texts_of["shaft-mast"].count("A–B") == 2 + 2 + 2 and texts_of["shaft-mast"].count("PD") == 2
@@ -623,12 +623,12 @@ def test_shoulders_teeth_and_splines_run_out_against_the_axis_of_both_seats():
 
 def test_a_spline_that_a_hob_cannot_leave_is_to_be_shaped():
     """2 mm from W 78 x 3 to the collar; a hob of Ø60 leaves teeth 3.15 mm deep over √(3.15 · 56.85) = 13.4 mm."""
-    said = {name: " ".join(words.text for words in words_of(sheets(sized("ec120b"), [name])[0]))
+    said = {name: " ".join(words.text for words in words_of(sheets(sized(BY_HAND), [name])[0]))
             for name in ("shaft-mast", "shaft-intermediate")}  # fmt: skip
     assert "DIN 5480 - W 78 x 3 x 24: shaped, as 2 mm lie before the next shoulder" in said["shaft-mast"]
     assert "runs out over 13.4 mm" in said["shaft-mast"] and "shaped" not in said["shaft-intermediate"]
-    (teeth,) = shaft_body(sized("ec120b"), "intermediate").splines
-    assert hob_room(shaft_body(sized("ec120b"), "intermediate"), teeth) == pytest.approx(151.0 - 110.0)
+    (teeth,) = shaft_body(sized(BY_HAND), "intermediate").splines
+    assert hob_room(shaft_body(sized(BY_HAND), "intermediate"), teeth) == pytest.approx(151.0 - 110.0)
 
 
 def test_hardened_teeth_have_a_line_beside_them_and_say_what_stays_soft():
@@ -636,7 +636,7 @@ def test_hardened_teeth_have_a_line_beside_them_and_say_what_stays_soft():
 
     What runs under the lip of a seal, 26.5 mm, is hardened with them.
     """
-    (sheet,) = sheets(sized("ec120b"), ["shaft-input"])
+    (sheet,) = sheets(sized(BY_HAND), ["shaft-input"])
     lines = [mark for mark in sheet.entities if isinstance(mark, Path) and mark.layer is Layer.HARDENED]
     widths = sorted(abs(line.points[1] - line.points[0]) / sheet.scale for line in lines)
     assert widths == pytest.approx([18.0, 26.5, 36.0])
@@ -645,7 +645,7 @@ def test_hardened_teeth_have_a_line_beside_them_and_say_what_stays_soft():
         words.text for words in words_of(sheet)
     }
     assert rows
-    (plain,) = sheets(sized("ec120b"), ["shaft-mast"])  # its wheel is splined on
+    (plain,) = sheets(sized(BY_HAND), ["shaft-mast"])  # its wheel is splined on
     assert not any(isinstance(mark, Path) and mark.layer is Layer.HARDENED for mark in plain.entities)
 
 
@@ -659,7 +659,7 @@ def test_a_keyway_says_how_deep_it_may_be_and_how_symmetric_it_stands():
 
 def test_an_undercut_is_named_in_its_place_and_drawn_ten_times_as_large_with_its_sizes():
     """DIN 509 - F 1.6 x 0.3: f = 4, t_1 = 0.3, t_2 = 0.2; also as the DXF file measures them."""
-    (sheet,) = sheets(sized("ec120b"), ["shaft-mast"])
+    (sheet,) = sheets(sized(BY_HAND), ["shaft-mast"])
     said = [words.text for words in words_of(sheet)]
     assert said.count("DIN 509 - F 1.6 x 0.3") == 2 + 1 and "R1.6" in said and "R1.25" not in said
     detail = [mark for mark in sheet.entities if isinstance(mark, Distance) and mark.scale == 10.0]
@@ -675,25 +675,25 @@ def test_an_undercut_is_named_in_its_place_and_drawn_ten_times_as_large_with_its
 
 def test_fillets_beside_teeth_stand_in_the_table_too():
     """The weakest section of the intermediate shaft: R2.5 at the small end of the bevel pinion."""
-    (sheet,) = sheets(sized("ec120b"), ["shaft-intermediate"])
-    ec120b = sized("ec120b")
+    (sheet,) = sheets(sized(BY_HAND), ["shaft-intermediate"])
+    ec120b = sized(BY_HAND)
     (grid,) = [grid for content in contents(ec120b, coarse(ec120b)) if content.name == "shaft-intermediate"
                for grid in content.grids if grid.title == "Fillets at shoulders"]  # fmt: skip
-    weakest = next(shaft for shaft in sized("ec120b").built_shafts if shaft.name == "intermediate").weakest
+    weakest = next(shaft for shaft in sized(BY_HAND).built_shafts if shaft.name == "intermediate").weakest
     assert f"R{millimetres(1e3 * weakest.fillet)}" in {row[0] for row in grid.rows}
     assert any(words.text == "R2.5" for words in words_of(sheet))
 
 
 def test_holes_of_a_web_are_cut_by_the_section_and_told():
     """0.6 of what the chord of six leaves: Ø63.36 on Ø211.21; the web is dimensioned between hub and holes."""
-    sizing = gw.size(edited(gw.read("ec120b"), {"gears.web_holes": 6}))
+    sizing = gw.size(edited(gw.parse(text_of(BY_HAND)), {"gears.web_holes": 6}))
     (sheet,) = sheets(sizing, ["gear-helical.wheel"])
     blank = gear_blanks(sizing)["helical.wheel"]
     across, circle = (millimetres(2e3 * size) for size in (blank.hole_radius, blank.hole_circle))
     said = " ".join(words.text for words in words_of(sheet))
     assert f"6 holes Ø{across} through the web on Ø{circle}" in said
     assert any(math.isclose(1e3 * blank.web_width, each, rel_tol=1e-9) for each in measured(sheet))
-    (plain,) = sheets(sized("ec120b"), ["gear-helical.wheel"])
+    (plain,) = sheets(sized(BY_HAND), ["gear-helical.wheel"])
     hatched = [len([mark for mark in each.entities if isinstance(mark, Hatch)]) for each in (plain, sheet)]
     assert hatched == [2, 4]
 
@@ -705,7 +705,7 @@ def test_a_first_sizing_has_no_sheet_of_bores():
 
 
 def test_the_arrangement_shows_and_lists_what_holds_bearings():
-    sizing = sized("ec120b")
+    sizing = sized(BY_HAND)
     (sheet,) = sheets(sizing, ["arrangement"])
     said = [mark.text for mark in sheet.entities if isinstance(mark, Words)]
     for holder in holders_of(sizing):

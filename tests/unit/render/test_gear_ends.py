@@ -14,7 +14,7 @@ from gearwright.render.drawings.gear_sheet import edge_notes
 from gearwright.render.drawings.gear_view import hub_of
 from gearwright.sizing.mass import gear_blanks
 from gearwright.spec import edited
-from shipped_work import coarse, sized
+from shipped_work import BY_HAND, coarse, sized, text_of
 
 
 def arcs(sheet, layer):
@@ -25,7 +25,7 @@ def arcs(sheet, layer):
 
 def test_a_splined_wheel_is_seen_along_its_axis_by_its_right_half():
     """ISO 2203: tips and pitch circle; ISO 6413: the tip circle of the hub's spline wide, its root circle thin."""
-    sizing = sized("ec120b")
+    sizing = sized(BY_HAND)
     (sheet,) = sheets(sizing, ["gear-helical.wheel"])
     blank, wide = gear_blanks(sizing)["helical.wheel"], arcs(sheet, Layer.OUTLINE)
     wheel = next(gear for gear in sizing.gears if gear.name == "helical.wheel")
@@ -46,7 +46,7 @@ def test_a_keyed_wheel_is_seen_whole():
 @pytest.mark.parametrize(("holes", "whole", "cut"), [(6, 2, 2), (5, 2, 1), (3, 1, 1), (8, 3, 2)])
 def test_holes_of_a_web_stand_on_their_circle_the_first_on_top(holes, whole, cut):
     """Those on the line of symmetry are halves: of an odd number the one on top alone."""
-    sizing = gw.size(edited(gw.read("ec120b"), {"gears.web_holes": holes}))
+    sizing = gw.size(edited(gw.parse(text_of(BY_HAND)), {"gears.web_holes": holes}))
     (sheet,) = sheets(sizing, ["gear-helical.wheel"])
     blank = gear_blanks(sizing)["helical.wheel"]
     rings = [about for ring, about in arcs(sheet, Layer.OUTLINE) if math.isclose(ring, 1e3 * blank.hole_radius)]
@@ -69,7 +69,7 @@ def test_edges_follow_module_and_bore():
 
 def test_the_table_of_a_rated_gear_has_what_its_class_allows_and_how_its_flanks_are_modified():
     """Class 4 of ISO 1328-1 for d = 353.73, m_n = 2, b = 37 mm; the design's relief and lead."""
-    sizing = gw.size(edited(gw.read("ec120b"), {"gears.iso6336.tip_relief_m": 2e-5}))
+    sizing = gw.size(edited(gw.parse(text_of(BY_HAND)), {"gears.iso6336.tip_relief_m": 2e-5}))
     (content,) = [one for one in contents(sizing, coarse(sizing)) if one.name == "gear-helical.wheel"]
     rows = {row[0]: row[2] for row in content.grids[0].rows}
     wheel = next(gear for gear in sizing.gears if gear.name == "helical.wheel")

@@ -20,7 +20,7 @@ def shown(design, gear):
 @pytest.mark.parametrize(
     ("design", "gear", "length"),
     [
-        ("ec120b", "helical.wheel", 36.0),
+        ("ec120b", "helical.wheel", 35.0),
         ("in-line-h2", "first.ring", None),
         ("face-gear-split-torque", "first.wheel-left", None),
     ],

@@ -22,6 +22,7 @@ from gearwright.mission.lives.housing import (
     housing_assumptions,
     housing_checks,
     housing_sections,
+    known_sections,
 )
 from gearwright.mission.lives.life import (
     ENDLESS,
@@ -70,6 +71,7 @@ __all__ = [
     "housing_assumptions",
     "housing_checks",
     "housing_sections",
+    "known_sections",
     "load_lives",
     "mesh_spectrum",
     "mixed_life",

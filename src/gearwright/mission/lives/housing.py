@@ -13,6 +13,7 @@ from gearwright.base import (
     GRAVITY,
     HOUSING,
     Check,
+    DesignError,
     Endless,
     Floats,
     GearwrightError,
@@ -406,6 +407,20 @@ def housing_sections(sizing: Sizing, flight: Flight | None, mass: float) -> tupl
         if one.stress.steady.any()
     ]
     return tuple(sorted(found, key=lambda one: (round(one.safety, 9), str(one.part), one.section)))
+
+
+def known_sections(sizing: Sizing, flight: Flight | None, mass: float) -> tuple[tuple[HousingSection, ...], str]:
+    """Return what tires the housing, or why that is not known.
+
+    Args:
+        sizing: As sized.
+        flight: Of it; None: its load cases.
+        mass: Of the whole gearbox [kg].
+    """
+    try:
+        return housing_sections(sizing, flight, mass), ""
+    except DesignError as error:  # nothing takes a force along a shaft
+        return (), "; ".join(problem.message for problem in error.problems)
 
 
 def counted(loaded: Loaded, duty: Duty, material: HousingMaterial) -> HousingSection:
