@@ -3,7 +3,7 @@
 What is checked and how is for the layers below: sizing, dynamics, mission. What is said of the result is for `reviews`.
 """
 
-from gearwright.closure.arrange import Arranged, arrange
+from gearwright.closure.arrange import Arranged, arrange, arranged_where_needed
 from gearwright.closure.close import (
     Contradiction,
     OnMission,
@@ -67,6 +67,7 @@ __all__ = [
     "Variants",
     "Wishes",
     "arrange",
+    "arranged_where_needed",
     "as_compared",
     "as_sized",
     "best_so_far",

@@ -160,6 +160,25 @@ def arrange(design: Design) -> Arranged:
     return best
 
 
+def arranged_where_needed(sizing: Sizing, design: Design) -> tuple[Arranged | None, str]:
+    """Return a design in bearings, and which shafts that need some find none, and why.
+
+    Args:
+        sizing: Whose shafts need bearings, or not.
+        design: That is put into them.
+
+    Returns:
+        None and no words where no shaft needs any.
+    """
+    if not (bare := bare_shafts(sizing)):
+        return None, ""
+    try:
+        return arrange(design), ""
+    except DesignError as error:
+        why = "; ".join(f"{problem.path}: {problem.message}" for problem in error.problems)
+        return None, f"{', '.join(bare)} ({why})"
+
+
 def _placed(own: Design, sized: Sizing, room: Room) -> tuple[Design, Sizing, tuple[Stood, ...]]:
     """Return a design with bearings, its sizing and its shafts."""
     refused: DesignError | None = None

@@ -555,9 +555,19 @@ def _asked_by(state: Settled, failing: Iterable[Check]) -> dict[str, float]:
     return {stage: factor for stage, factor in factors.items() if factor > state.factors.dynamic.get(stage, 1.0)}
 
 
+def looked_at(sizing: Sizing, peaks: Iterable[Check]) -> list[Check]:
+    """Return what a closure looks at of a gearbox in motion and at rest.
+
+    Args:
+        sizing: As sized.
+        peaks: Of a run of it.
+    """
+    return [*sizing.checks, *built_checks(sizing), *sharing_checks(sizing), *peaks, *resonance_checks(sizing)]
+
+
 def _closed(asked: _Request, state: Settled, written: Written, moved: list[Check]) -> Closed:
     wishes, sizing = asked.wishes, written.sizing
-    checks = [*sizing.checks, *built_checks(sizing), *sharing_checks(sizing), *moved, *resonance_checks(sizing)]
+    checks = looked_at(sizing, moved)
     sections, why = known_sections(sizing, None, complete_mass(sizing).total)
     checks += housing_checks(sizing, sections, why=why)
     checks = [*wanted(checks, wishes.left_out), state.converged]

@@ -29,19 +29,16 @@ from gearwright.base import (
     verb,
     worst,
 )
-from gearwright.closure.arrange import Arranged, arrange
-from gearwright.closure.close import close
+from gearwright.closure.arrange import Arranged, arranged_where_needed
+from gearwright.closure.close import close, looked_at
 from gearwright.closure.loop import start_of
 from gearwright.closure.moves import standard_modules, words_of
 from gearwright.closure.proportion import searched
 from gearwright.closure.requirements import Closed, Outcome, Wishes, requirement_of, wanted
 from gearwright.dynamics.assembly import assemble
 from gearwright.dynamics.equations import modes
-from gearwright.dynamics.sharing import sharing_checks
 from gearwright.dynamics.vibration import critical_speeds, peak_checks, resonance_checks
 from gearwright.sizing import Sizing, size
-from gearwright.sizing.bearing_arrangement import bare_shafts
-from gearwright.sizing.making import built_checks
 from gearwright.sizing.mass import complete_mass
 from gearwright.sizing.rating import MESHES
 from gearwright.spec import Design, at_level, design_text, edited
@@ -386,15 +383,8 @@ def _is_free(pair: Pair) -> bool:
 
 def _put(closed: Closed, design: Design) -> ClosedArrangement:
     """Return a closed gearbox in bearings, judged as it stands."""
-    stripped = _without_diameters(closed.design, design)
-    sizing, arranged, bare = closed.sizing, None, ""
-    if names := bare_shafts(sizing):
-        try:
-            arranged = arrange(stripped)
-            sizing = arranged.sizing
-        except DesignError as error:
-            why = "; ".join(f"{problem.path}: {problem.message}" for problem in error.problems)
-            bare = f"{', '.join(names)} ({why})"
+    arranged, bare = arranged_where_needed(closed.sizing, _without_diameters(closed.design, design))
+    sizing = closed.sizing if arranged is None else arranged.sizing
     return ClosedArrangement(closed, arranged, judged_whole(sizing, closed.wishes), (), (), bare)
 
 
@@ -405,8 +395,7 @@ def judged_whole(sizing: Sizing, wishes: Wishes) -> tuple[Check, ...]:
         sizing: With bearings on its shafts.
         wishes: With the requirements that do not count.
     """
-    moved = [*peak_checks(sizing), *resonance_checks(sizing)]
-    checks = [*sizing.checks, *built_checks(sizing), *sharing_checks(sizing), *moved]
+    checks = looked_at(sizing, peak_checks(sizing))
     return accepted(wanted(checks, wishes.left_out), sizing.design.waivers)
 
 

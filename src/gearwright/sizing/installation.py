@@ -7,11 +7,13 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import combinations
+from statistics import NormalDist
 from typing import Annotated
 
 import numpy as np
 
 from gearwright.base import GEARBOX, Area, Check, Floats, Quantity, largest
+from gearwright.memo import of_latest
 from gearwright.sizing.casing import housed
 from gearwright.sizing.housing_shell import stretches_around, ways_of
 from gearwright.sizing.mass.complete import weighed_wall
@@ -39,6 +41,7 @@ class Installation:
         return math.pi / 4.0 * self.diameter**2
 
 
+@of_latest(1)
 def installation_of(sizing: Sizing) -> Installation:
     """Return what a gearbox takes of a nacelle.
 
@@ -130,8 +133,4 @@ def chance_to_fit(sizing: Sizing) -> float:
         return 1.0
     taken = installation_of(sizing)
     pairs = [(allowed.diameter, taken.diameter), (allowed.length, taken.length)]
-    return math.prod(_below(most, size) for most, size in pairs if most is not None)
-
-
-def _below(most: float, size: float) -> float:
-    return 0.5 * (1.0 + math.erf((most / size - 1.0) / SURE / math.sqrt(2.0)))
+    return math.prod(NormalDist(size, SURE * size).cdf(most) for most, size in pairs if most is not None)

@@ -5,6 +5,9 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from statistics import NormalDist
+
+import numpy as np
 
 from gearwright.base import Check, DesignError, Life, Mass, Problem, Ratio, Shown, margin_text, verb
 from gearwright.closure import (
@@ -12,7 +15,7 @@ from gearwright.closure import (
     ClosedArrangement,
     Outcome,
     Wishes,
-    arrange,
+    arranged_where_needed,
     as_compared,
     close_arranged,
     closed_as_compared,
@@ -23,12 +26,12 @@ from gearwright.machines.electric import PUBLIC_BAND
 from gearwright.particulars import Particulars, particulars
 from gearwright.reviews import Review, review
 from gearwright.sizing import Sizing, size
-from gearwright.sizing.bearing_arrangement import bare_shafts
 from gearwright.sizing.mass import MassGroup, Statistics, complete_mass, statistics_beside
 from gearwright.sizing.rating import MESHES
 from gearwright.spec import Design, design_text, edited, parse, read
-from gearwright.study.measures import FRONTAL, Measures, dominated, measures_of
+from gearwright.study.measures import FRONTAL, Measures, measures_of
 from gearwright.study.running import comparison_of
+from gearwright.study.tables import non_dominated
 
 PUBLIC = "public"
 """Law of electric machines by which designs are ranked: torque and speed of public ones."""
@@ -212,14 +215,9 @@ def in_bearings(sizing: Sizing) -> tuple[str, Sizing, str]:
     Args:
         sizing: Of the design as it is.
     """
-    design = sizing.design
-    if not (bare := bare_shafts(sizing)):
-        return design_text(design), sizing, ""
-    try:
-        arranged = arrange(design)
-    except DesignError as error:
-        why = "; ".join(f"{problem.path}: {problem.message}" for problem in error.problems)
-        return design_text(design), sizing, f"{', '.join(bare)} ({why})"
+    arranged, bare = arranged_where_needed(sizing, sizing.design)
+    if arranged is None:
+        return design_text(sizing.design), sizing, bare
     return arranged.text, arranged.sizing, ""
 
 
@@ -247,9 +245,10 @@ def outdone(rows: Sequence[EqualLife]) -> list[bool]:
     Args:
         rows: That are compared with each other; those without a mass are outdone by none.
     """
-    known = [row for row in rows if row.is_compared and row.measures is not None]
-    found = dict(zip(map(id, known), dominated(map(_costs, known)), strict=True))
-    return [found.get(id(row), False) for row in rows]
+    places = [place for place, row in enumerate(rows) if row.is_compared and row.measures is not None]
+    beaten = ~non_dominated(np.array([_costs(rows[place]) for place in places]), np.zeros(len(places)))
+    found = dict(zip(places, beaten.tolist(), strict=True))
+    return [found.get(place, False) for place in range(len(rows))]
 
 
 def _costs(row: EqualLife) -> tuple[float, ...]:
@@ -332,7 +331,7 @@ def difference(first: EqualLife, second: EqualLife) -> Difference | None:
         math.hypot(rules, own, search or 0.0),
     )
     expected = mass if search is None else mass + (left[0] or 0.0) - (left[1] or 0.0)
-    ahead = 0.5 * (1.0 + math.erf(expected / math.sqrt(2.0) / deviation))
+    ahead = NormalDist(0.0, deviation).cdf(expected)
     fits = [1.0 if row.measures is None else row.measures.fits for row in (first, second)]
     wins = fits[0] * (ahead + (1.0 - ahead) * (1.0 - fits[1])), fits[1] * (1.0 - ahead + ahead * (1.0 - fits[0]))
     return Difference(first.title, second.title, mass, deviation, rules, own, search, wins[0], max(wins) >= SEPARABLE)

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from gearwright.base import Area, Length, Life, Power, Ratio
 from gearwright.sizing import Sizing
 from gearwright.sizing.installation import chance_to_fit, installation_of
 from gearwright.sizing.losses import largest_heat, loss_balance
-from gearwright.spec import Design, shares_of
+from gearwright.spec import shares_of
 
 FRONTAL = 1.15
 """Of two frontal diameters, from which mass alone does not decide: a wider nacelle has more drag [-], an estimate."""
@@ -57,36 +56,15 @@ def measures_of(sizing: Sizing) -> Measures:
         fits=chance_to_fit(sizing),
         gears=sum(gear.bodies for gear in sizing.gears),
         bearings=len(sizing.bearings) + planets,
-        efficiency=_efficiency(sizing, sizing.design),
+        efficiency=_efficiency(sizing),
         heat=largest_heat(sizing),
         system_life=sizing.system_life,
     )
 
 
-def _efficiency(sizing: Sizing, design: Design) -> float:
+def _efficiency(sizing: Sizing) -> float:
     """Return energy out over energy in of all cases by their shares of the life; of the first where none has any."""
-    shares = {case: share for case, share in shares_of(design).items() if case in sizing.flows and share > 0.0}
+    shares = {case: share for case, share in shares_of(sizing.design).items() if case in sizing.flows and share > 0.0}
     balances = [(loss_balance(sizing, case), share) for case, share in (shares or {sizing.reference.case: 1.0}).items()]
     given = sum(balance.power * share for balance, share in balances)
     return 1.0 - sum(balance.lost * share for balance, share in balances) / given if given else 1.0
-
-
-Costs = Sequence[float]
-"""What is the better the less of it there is, in one order for all."""
-
-
-def dominated(costs: Iterable[Costs]) -> list[bool]:
-    """Return which of some have another that is in nothing worse and in something better.
-
-    Args:
-        costs: Of each.
-
-    >>> dominated([(200.0, 0.6), (216.0, 0.5), (230.0, 0.6)])
-    [False, False, True]
-    """
-    known = [tuple(one) for one in costs]
-    return [any(_betters(other, one) for other in known) for one in known]
-
-
-def _betters(one: Costs, other: Costs) -> bool:
-    return all(a <= b for a, b in zip(one, other, strict=True)) and tuple(one) != tuple(other)

@@ -27,10 +27,5 @@ def housing_tables(review: Review) -> tuple[Table, ...]:
     return (
         table("What tires the housing", review.housing, _SECTIONS, note=_TIRES),
         table("Assumed of the housing", review.housing_assumed, ("what", "value", "source")),
-        table(
-            "Maintenance",
-            review.upkeep,
-            ("part", "task", "interval", "decides", "removed_first", "source"),
-            note=_UPKEEP,
-        ),
+        table("Maintenance", review.upkeep, _TASKS, note=_UPKEEP),
     )
